@@ -1,0 +1,75 @@
+// Bounded loops. Every loop that a tick can reach is written as
+//
+//   for (const uint32_t leaf : bounded<kMaxLeaves>(leaf_count, [] {})) ...
+//
+// It runs min(count, Max) times, so Max is a fact and not a hope. On the target the range leaves two kinds of
+// 16-byte records in the non-loaded section .wcet.flowfacts, each beside one real nop: {1, id, pc, Max} where
+// the loop is entered and {2, id, pc, Max} in its body. In every function, the bodies run at most
+// Max x entries times; that stays true when the compiler unrolls, peels or inlines.
+// The empty lambda gives the loop its identity: its type is unique to this place in the source.
+#pragma once
+
+#include "palpate/numeric/check.hpp"
+#include "palpate/numeric/platform.hpp"
+
+namespace palpate {
+
+/// Its address is the id of a loop's flow facts.
+template <class Place, uint32_t Max>
+inline constexpr char kLoopId = 0;
+
+enum class FlowFact : uint32_t { kEnter = 1, kBody = 2 };
+
+template <FlowFact Kind, class Place, uint32_t Max>
+PALPATE_ALWAYS_INLINE void leave_flow_fact() {
+#ifdef PALPATE_TARGET
+  asm volatile(
+      "1:\tnop\n\t"
+      ".pushsection .wcet.flowfacts,\"?\",%%progbits\n\t"
+      ".word %c0, %c1, 1b, %c2\n\t"
+      ".popsection"
+      :
+      : "i"(static_cast<uint32_t>(Kind)), "i"(&kLoopId<Place, Max>), "i"(Max));
+#endif
+}
+
+/// The numbers 0 .. min(count, Max) - 1, each visited once, in order.
+template <uint32_t Max, class Place>
+class BoundedRange {
+ public:
+  class Iterator {
+   public:
+    constexpr explicit Iterator(uint32_t at) : at_(at) {}
+    PALPATE_ALWAYS_INLINE uint32_t operator*() const {
+      leave_flow_fact<FlowFact::kBody, Place, Max>();
+      return at_;
+    }
+    constexpr Iterator& operator++() {
+      ++at_;
+      return *this;
+    }
+    constexpr bool operator!=(Iterator other) const { return at_ != other.at_; }
+
+   private:
+    uint32_t at_;
+  };
+
+  constexpr explicit BoundedRange(uint32_t count) : count_(count < Max ? count : Max) {
+    check(count <= Max, "a bounded loop was asked for more than its maximum");
+  }
+  [[nodiscard]] PALPATE_ALWAYS_INLINE Iterator begin() const {
+    leave_flow_fact<FlowFact::kEnter, Place, Max>();
+    return Iterator(0);
+  }
+  [[nodiscard]] constexpr Iterator end() const { return Iterator(count_); }
+
+ private:
+  uint32_t count_;
+};
+
+template <uint32_t Max, class Place>
+constexpr BoundedRange<Max, Place> bounded(uint32_t count, Place) {
+  return BoundedRange<Max, Place>(count);
+}
+
+}  // namespace palpate
