@@ -1,0 +1,99 @@
+// A pool of indices 0 .. Capacity-1 with O(1) allocate and release, and no memory of its own to hand out: owners
+// keep their data in plain arrays beside it. Live indices are always dense in live(0) .. live(used()-1), so loops
+// over what is alive need no test. All calls take constant time.
+#pragma once
+
+#include "palpate/numeric/bounded.hpp"
+
+namespace palpate {
+
+/// Names one use of a slot: after the slot is released and used again, an old handle is no longer alive.
+struct Handle {
+  uint16_t index;
+  uint16_t generation;
+};
+
+inline constexpr uint16_t kNone = 0xffff;
+
+struct PoolCounters {
+  uint16_t peak;     // most indices in use at once
+  uint16_t refused;  // allocations that found the pool full (saturates)
+};
+
+template <uint16_t Capacity>
+class IndexPool {
+  static_assert(Capacity < kNone, "palpate: a pool needs an index to spare for kNone");
+
+ public:
+  static constexpr uint16_t kCapacity = Capacity;
+
+  /// Everything free; indices are then handed out in the order 0, 1, 2, ...
+  void clear() {
+    for (const uint32_t i : bounded<Capacity>(Capacity, [] {})) {
+      order_[i] = static_cast<uint16_t>(i);
+      place_[i] = static_cast<uint16_t>(i);
+      generation_[i] = 0;
+    }
+    used_ = 0;
+    counters_ = PoolCounters{0, 0};
+  }
+
+  /// Whether `count` more indices are free; if not, that is counted as one refusal.
+  [[nodiscard]] bool has_room(uint32_t count) {
+    const bool fits = used_ + count <= Capacity;
+    if (!fits && counters_.refused < 0xffff) ++counters_.refused;
+    return fits;
+  }
+
+  /// A free index, or kNone (counted as refused) when all are in use.
+  [[nodiscard]] uint16_t allocate() {
+    if (!has_room(1)) return kNone;
+    const uint16_t index = order_[used_];
+    ++used_;
+    if (used_ > counters_.peak) counters_.peak = used_;
+    return index;
+  }
+
+  /// `index` must be live.
+  void release(uint16_t index) {
+    check(is_live(index), "released an index that is not in use");
+    --used_;
+    const uint16_t hole = place_[index];
+    const uint16_t moved = order_[used_];
+    order_[hole] = moved;
+    place_[moved] = hole;
+    order_[used_] = index;
+    place_[index] = used_;
+    ++generation_[index];
+  }
+
+  [[nodiscard]] bool is_live(uint16_t index) const { return index < Capacity && place_[index] < used_; }
+  [[nodiscard]] bool is_live(Handle handle) const {
+    return is_live(handle.index) && generation_[handle.index] == handle.generation;
+  }
+  [[nodiscard]] Handle handle(uint16_t index) const { return Handle{index, generation_[index]}; }
+  /// The at-th live index; release moves the last one into the gap.
+  [[nodiscard]] uint16_t live(uint32_t at) const { return order_[at]; }
+  [[nodiscard]] uint16_t used() const { return used_; }
+  [[nodiscard]] const PoolCounters& counters() const { return counters_; }
+
+  /// For invariant checks: order and place are inverse permutations.
+  [[nodiscard]] bool is_whole() const {
+    bool whole = used_ <= Capacity && counters_.peak >= used_;
+    for (const uint32_t i : bounded<Capacity>(Capacity, [] {})) {
+      whole = whole && order_[i] < Capacity && place_[order_[i]] == i;
+    }
+    return whole;
+  }
+
+ private:
+  friend struct PoolCorruptor;  // tests damage a pool through it, to see is_whole object
+
+  std::array<uint16_t, Capacity> order_;       // live indices first, then free ones
+  std::array<uint16_t, Capacity> place_;       // where each index stands in order_
+  std::array<uint16_t, Capacity> generation_;  // grows with each release
+  uint16_t used_;
+  PoolCounters counters_;
+};
+
+}  // namespace palpate

@@ -1,0 +1,123 @@
+// Patches: the atomic change of the mesh. A patch is all leaves around one refinement edge, at most kMaxPatch of them;
+// they are bisected together or not at all, so the mesh conforms after every call. Merging is the exact inverse.
+//
+//   find_patch   collects the leaves around the refinement edge of a leaf; O(patch)
+//   bisect       splits a ready patch at one new node; checks every slot before it changes anything
+//   find_merge   collects the parents whose children all meet at one midpoint
+//   merge        joins them and removes the node
+#pragma once
+
+#include "palpate/mesh/forest.hpp"
+
+namespace palpate {
+
+inline constexpr uint32_t kMaxPatch = 8;
+
+struct Patch {
+  std::array<uint16_t, kMaxPatch> tet;  // the tets to bisect, or the parents to restore
+  uint32_t count;
+  uint16_t blocker;  // with kNotReady: the coarser leaf that must be bisected first
+};
+
+/// Where a walk around an edge goes on: in `leaf`, entered through `entry_face`, the face opposite the fourth vertex.
+inline uint32_t exit_around_edge(const Leaf& leaf, uint16_t end0, uint16_t end1, uint32_t entry_face) {
+  constexpr uint32_t kSumOfPlaces = 0 + 1 + 2 + 3;
+  return kSumOfPlaces - place_of_node(leaf, end0) - place_of_node(leaf, end1) - entry_face;
+}
+
+/// Collects into patch.tet the leaves around the edge (end0, end1) of leaf tet `start`, which has it between its
+/// places 0 and `end`. `accepts(leaf)` must hold for each; the first that fails becomes the blocker.
+template <class Profile, class Accepts>
+[[nodiscard]] MeshStatus walk_around_edge(const Forest<Profile>& forest, uint16_t start, uint32_t end,
+                                          Patch& patch, Accepts accepts) {
+  const uint16_t end0 = forest.leaf_of(start).node[0];
+  const uint16_t end1 = forest.leaf_of(start).node[end];
+  patch.tet[0] = start;
+  patch.count = 1;
+  patch.blocker = kNone;
+  uint16_t from = start;
+  uint32_t exit = others(end).first;
+  bool second_way = false;
+  for ([[maybe_unused]] const uint32_t step : bounded<kMaxPatch + 1>(kMaxPatch + 1, [] {})) {
+    const uint16_t next = forest.leaf_of(from).neighbour[exit];
+    if (next == start || (next == kNone && second_way)) return MeshStatus::kDone;
+    if (next == kNone) {
+      second_way = true;
+      from = start;
+      exit = others(end).second;
+      continue;
+    }
+    const Leaf& leaf = forest.leaf_of(next);
+    if (!accepts(leaf)) {
+      patch.blocker = next;
+      return MeshStatus::kNotReady;
+    }
+    check(patch.count < kMaxPatch, "a patch has more than kMaxPatch tets");
+    patch.tet[patch.count] = next;
+    ++patch.count;
+    exit = exit_around_edge(leaf, end0, end1, face_towards(leaf, from));
+    from = next;
+  }
+  check(false, "the walk around an edge did not close");
+  return MeshStatus::kNotReady;
+}
+
+/// All leaves around the refinement edge of leaf tet `start`. With kNotReady, patch.blocker is the first coarser leaf.
+template <class Profile>
+[[nodiscard]] MeshStatus find_patch(const Forest<Profile>& forest, uint16_t start, Patch& patch) {
+  const Leaf& first = forest.leaf_of(start);
+  if (first.level >= Profile::kMaxLevel) return MeshStatus::kLevelLimit;
+  const uint32_t end = refinement_end(type_of_level(first.level));
+  const uint16_t end0 = first.node[0];
+  const uint16_t end1 = first.node[end];
+  return walk_around_edge(forest, start, end, patch, [=](const Leaf& leaf) {
+    const uint16_t a = leaf.node[0];
+    const uint16_t b = leaf.node[refinement_end(type_of_level(leaf.level))];
+    return (a == end0 && b == end1) || (a == end1 && b == end0);
+  });
+}
+
+/// The patch to bisect next so that leaf tet `wanted` can be bisected: its own if ready, else a coarser one that
+/// stands in its way. Each step of the descent goes at least one level up.
+template <class Profile>
+[[nodiscard]] MeshStatus find_ready_patch(const Forest<Profile>& forest, uint16_t wanted, Patch& patch) {
+  MeshStatus status = find_patch(forest, wanted, patch);
+  for ([[maybe_unused]] const uint32_t step : bounded<Profile::kMaxLevel>(Profile::kMaxLevel, [] {})) {
+    if (status != MeshStatus::kNotReady) break;
+    status = find_patch(forest, patch.blocker, patch);
+  }
+  return status;
+}
+
+/// The parents around the edge whose midpoint leaf tet `start` was made with, if all their children are leaves.
+template <class Profile>
+[[nodiscard]] MeshStatus find_merge(const Forest<Profile>& forest, uint16_t start, Patch& patch) {
+  const uint16_t first_parent = forest.parent_of(start);
+  if (first_parent == kNone) return MeshStatus::kNotMergeable;
+  const uint16_t first = forest.child(first_parent, 0);
+  if (!forest.tet[first].is_leaf) return MeshStatus::kNotMergeable;
+  const uint8_t level = forest.tet[first].level;
+  const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(level - 1)));
+  const uint16_t middle = forest.leaf_of(first).node[end];
+  const MeshStatus status = walk_around_edge(
+      forest, first, end, patch, [=](const Leaf& leaf) { return leaf.level == level && leaf.node[end] == middle; });
+  if (status != MeshStatus::kDone) return MeshStatus::kNotMergeable;
+  for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+    if (!forest.tet[Forest<Profile>::sibling(patch.tet[i])].is_leaf) return MeshStatus::kNotMergeable;
+    patch.tet[i] = forest.parent_of(patch.tet[i]);
+  }
+  return MeshStatus::kDone;
+}
+
+/// Splits the leaves of a patch from find_patch or find_ready_patch at the midpoint of their edge. The new node takes
+/// the mean position and velocity of the edge's ends. Changes nothing unless it returns kDone.
+template <class Profile>
+[[nodiscard]] MeshStatus bisect(Forest<Profile>& forest, const Patch& patch);
+
+/// The inverse of bisect for a patch from find_merge: the parents become leaves, the middle node goes.
+template <class Profile>
+void merge(Forest<Profile>& forest, const Patch& patch);
+
+}  // namespace palpate
+
+#include "palpate/mesh/patch_change.hpp"
