@@ -3,8 +3,8 @@
 namespace palpate {
 namespace {
 
-// Coefficients in z = t^2, t = angle / (1/8 turn). Each format has two fraction bits more than the one before,
-// so that every product's high word is the next sum's term.
+// Coefficients in z = t^2, t = angle / (1/8 turn). Each format has two fraction bits more than the one
+// before, so that every product's high word is the next sum's term.
 constexpr auto kS0 = Q<0, 31>::from_raw(1686629713);   //  0.785398163378806
 constexpr auto kS1 = Q<-2, 33>::from_raw(-693598665);  // -0.0807455118151601
 constexpr auto kS2 = Q<-4, 35>::from_raw(85569234);    //  0.00249039247884483

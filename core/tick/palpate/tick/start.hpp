@@ -1,0 +1,25 @@
+// start() of state.hpp.
+#pragma once
+
+#include "palpate/tick/state.hpp"
+
+namespace palpate {
+
+template <class Profile>
+Status start(State<Profile>& state, const Model& model) {
+  state.model = model;
+  state.grasp = Grasp::open();
+  state.driven = DrivenNode{kNone, zero_vector<Position>()};
+  state.clamps = ClampCounters{0, 0, 0};
+  state.tick = 0;
+  if (model.level > Profile::kMaxLevel) return Status::kLevelTooDeep;
+  MeshStatus mesh = make_roots(state.forest, model.block, model.region_density);
+  if (mesh == MeshStatus::kDone) mesh = refine_uniformly(state.forest, model.level);
+  if (mesh == MeshStatus::kNodesFull) return Status::kTooManyNodes;
+  if (mesh != MeshStatus::kDone) return Status::kTooManyLeaves;
+  if (!group_every_leaf(state.forest, state.groups)) return Status::kTooManyGroups;
+  start_solve(state.forest, model.dynamics, model.held, state.solve);
+  return Status::kFine;
+}
+
+}  // namespace palpate

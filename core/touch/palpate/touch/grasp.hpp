@@ -1,0 +1,55 @@
+// Grasping: the node nearest to the tool, within reach, follows the tool until it is released.
+#pragma once
+
+#include "palpate/mesh/forest.hpp"
+
+namespace palpate {
+
+struct Grasp {
+  Handle node;               // index kNone while nothing is held
+  Vector3<Position> offset;  // node minus tool when the grasp closed
+  bool was_closed;           // a grasp closes on the button's edge, not on its level
+
+  static Grasp open() { return Grasp{Handle{kNone, 0}, zero_vector<Position>(), false}; }
+  [[nodiscard]] bool holds() const { return node.index != kNone; }
+};
+
+/// Coordinates of the tool are limited so that no difference to a node leaves Position.
+inline Vector3<Position> within_position_limit(const Vector3<Position>& x) {
+  return Vector3<Position>(clamp(x[0], -kPositionLimit, kPositionLimit), clamp(x[1], -kPositionLimit, kPositionLimit),
+                           clamp(x[2], -kPositionLimit, kPositionLimit));
+}
+
+/// The live node nearest to `tool` and no farther than `reach` (0 .. 4 edges), or kNone. Ties: the first live one.
+template <class Profile>
+[[nodiscard]] uint16_t nearest_node(const Forest<Profile>& forest, const Vector3<Position>& tool, Position reach) {
+  constexpr int kBits = 2 * Position::kFractionBits;
+  Acc<kBits> least = reach * reach;
+  uint16_t nearest = kNone;
+  for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
+    const uint16_t node = forest.nodes.live(i);
+    const Vector3<Position> d = forest.node.position[node] - tool;
+    const Acc<kBits> square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const bool closer = square < least || (square == least && nearest == kNone);
+    least = closer ? square : least;
+    nearest = closer ? node : nearest;
+  }
+  return nearest;
+}
+
+/// Closes on the rising edge of `close`, opens when it falls or when the node is gone.
+template <class Profile>
+void update_grasp(const Forest<Profile>& forest, const Vector3<Position>& tool, bool close, Position reach,
+                  Grasp& grasp) {
+  const bool closes = close && !grasp.was_closed;
+  const bool opens = !close || (grasp.holds() && !forest.nodes.is_live(grasp.node));
+  grasp.was_closed = close;
+  if (opens) grasp.node = Handle{kNone, 0};
+  if (!closes) return;
+  const uint16_t node = nearest_node(forest, tool, reach);
+  if (node == kNone) return;
+  grasp.node = forest.nodes.handle(node);
+  grasp.offset = forest.node.position[node] - tool;
+}
+
+}  // namespace palpate
