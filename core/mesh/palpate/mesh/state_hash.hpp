@@ -10,6 +10,10 @@ namespace palpate {
 class StateHash {
  public:
   void add(uint32_t word) { value_ = (value_ ^ word) * kPrime; }
+  void add(uint64_t words) {
+    add(static_cast<uint32_t>(words));
+    add(static_cast<uint32_t>(words >> 32));
+  }
   template <int I, int F>
   void add(Q<I, F> q) {
     add(static_cast<uint32_t>(q.raw()));

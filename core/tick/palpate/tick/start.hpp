@@ -19,7 +19,7 @@ Status start(State<Profile>& state, const Model& model) {
   if (mesh != MeshStatus::kDone) return Status::kTooManyLeaves;
   if (!group_every_leaf(state.forest, state.groups)) return Status::kTooManyGroups;
   start_solve(state.forest, model.dynamics, model.held, state.solve);
-  return Status::kFine;
+  return Status::kDone;
 }
 
 }  // namespace palpate

@@ -39,7 +39,7 @@ struct State {
   uint32_t tick;
 };
 
-enum class Status : uint8_t { kFine, kTooManyLeaves, kTooManyNodes, kTooManyGroups, kLevelTooDeep };
+enum class Status : uint8_t { kDone, kTooManyLeaves, kTooManyNodes, kTooManyGroups, kLevelTooDeep };
 
 /// Builds the mesh of `model` at rest. At boot, not in the cycle: O(leaves) patches.
 template <class Profile>

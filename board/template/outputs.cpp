@@ -1,0 +1,15 @@
+#include "palpate/ports/motors.hpp"
+#include "palpate/ports/watchdog.hpp"
+
+namespace palpate::port {
+
+// to do: write the three codes to the converters and latch them together. 2048 is no current.
+void write_motors(const std::array<uint16_t, 3>& codes) { static_cast<void>(codes); }
+
+// to do: drive the enable line of the power stages. Off at reset by a pull resistor, not by this function.
+void set_amplifiers(bool enabled) { static_cast<void>(enabled); }
+
+// to do: toggle the line that keeps the amplifier watchdog content.
+void toggle_amplifier_watchdog() {}
+
+}  // namespace palpate::port

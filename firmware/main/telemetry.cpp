@@ -1,0 +1,105 @@
+#include "telemetry.hpp"
+
+#include "palpate/firmware/scenario_image.hpp"
+#include "palpate/ports/system.hpp"
+#include "text.hpp"
+
+#define PALPATE_TEXT_OF(name) #name
+#define PALPATE_TEXT(name) PALPATE_TEXT_OF(name)
+
+namespace palpate::firmware {
+namespace {
+
+// Schoolbook long division: the library's 64-bit one stays out of the image.
+uint32_t divide(uint64_t dividend, uint32_t divisor) {
+  if (divisor == 0) return 0;
+  uint32_t quotient = 0;
+  uint64_t rest = 0;
+  for (int bit = 63; bit >= 0; --bit) {
+    rest = 2 * rest + ((dividend >> bit) & 1);
+    quotient *= 2;
+    if (rest >= divisor) {
+      rest -= divisor;
+      quotient += 1;
+    }
+  }
+  return quotient;
+}
+
+void begin_summary(const char* key, const char* detail = "") {
+  print("summary,");
+  print(key);
+  print(detail);
+  print(",");
+}
+
+void summarize(const char* key, const char* value) {
+  begin_summary(key);
+  print(value);
+  print("\n");
+}
+
+template <class Integer>
+void summarize(const char* key, Integer value) {
+  begin_summary(key);
+  print_decimal(value);
+  print("\n");
+}
+
+void summarize_time(const char* max_key, const char* mean_key, const char* detail, const TimeFigure& time,
+                    uint32_t ticks) {
+  begin_summary(max_key, detail);
+  print_decimal(time.max_cycles);
+  print("\n");
+  begin_summary(mean_key, detail);
+  print_decimal(divide(time.total_cycles, ticks));
+  print("\n");
+}
+
+void summarize_times(const Run& run) {
+  summarize("cycles_per_second", port::cycles_per_second());
+  summarize_time("max_tick_cycles", "mean_tick_cycles", "", run.timer.tick(), run.ticks);
+  for (uint32_t i = 0; i < kStageCount; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    summarize_time("max_stage_cycles.", "mean_stage_cycles.", stage_name(stage), run.timer.stage(stage),
+                   run.ticks);
+  }
+}
+
+}  // namespace
+
+void print_stage_names() {
+  print("stages");
+  for (uint32_t i = 0; i < kStageCount; ++i) {
+    print(",");
+    print(stage_name(static_cast<Stage>(i)));
+  }
+  print("\n");
+}
+
+void print_hash_row(const Run& run) {
+  print("hash,");
+  print_decimal(run.ticks);
+  for (uint32_t i = 0; i < kStageCount; ++i) {
+    print(",");
+    print_hex(stage_hash(run.state, run.actuators, static_cast<Stage>(i)));
+  }
+  print(",");
+  print_hex(state_hash(run.state, run.actuators));
+  print("\n");
+}
+
+void print_summary(const Run& run) {
+  summarize("profile", PALPATE_TEXT(PALPATE_PROFILE));
+  summarize("scenario", kScenarioImage.name);
+  summarize("ticks", run.ticks);
+  begin_summary("state_hash");
+  print_hex(state_hash(run.state, run.actuators));
+  print("\n");
+  summarize("overruns", run.overruns);
+  summarize("state_bytes", static_cast<uint32_t>(sizeof(run)));
+  summarize("stack_peak_bytes", port::stack_peak_bytes());
+  summarize_times(run);
+}
+
+}  // namespace palpate::firmware

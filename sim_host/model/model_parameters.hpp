@@ -1,0 +1,61 @@
+// A model as its author writes it: SI units, doubles. compile_model turns it into the core's integers, or refuses it
+// with the place, the value and the range that would be right.
+#pragma once
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "palpate/firmware/scenario_image.hpp"
+
+namespace palpate::sim {
+
+/// Bad input: exit code 2. The message is one line: what, where, what would be right.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct RegionParameters {
+  double youngs_modulus_pa = 500.0;
+  double poisson_ratio = 0.49;
+  double density_kg_m3 = 10.0;
+};
+
+enum class HeldEnds { kNone, kOne, kBoth };  // the faces at the low end, or at both ends, of the longest axis
+
+struct ModelParameters {
+  std::array<int, 3> cubes = {1, 1, 3};  // x, y, z
+  double edge_m = 0.064;                 // of a cube
+  int level = 6;
+  std::vector<RegionParameters> regions = {RegionParameters{}};
+  std::vector<int> region_of_cube;  // x fastest; -1: absent; empty: all 0
+  int substeps = 4;
+  double mass_damping_per_s = 2.0;
+  double stiffness_damping_s = 50e-6;
+  HeldEnds held = HeldEnds::kOne;
+  double grasp_reach_m = 0.010;
+};
+
+/// Where the device's workspace meets the body: the device frame's axes are the body's.
+struct SceneParameters {
+  std::array<double, 3> body_centre_in_device_m = {0.18, 0.0, -0.17};
+  double force_scale = 1.0;
+};
+
+/// What the core's formats and a stable step allow. Throws BadInput outside.
+void check_domain(const ModelParameters& parameters);
+void check_domain(const SceneParameters& scene, const ModelParameters& parameters);
+
+/// Largest stable substep in seconds for the parameters' finest level, softest case of all regions; see stability.hpp.
+Model compile_model(const ModelParameters& parameters);
+firmware::Scene compile_scene(const SceneParameters& scene, const ModelParameters& parameters);
+
+/// Newtons for one unit of Force, and of E_ref: the largest Young's modulus of all regions.
+double reference_modulus_pa(const ModelParameters& parameters);
+double newtons_per_unit(const ModelParameters& parameters);
+/// Millimetres in the body's file frame (origin at the block's low corner) of a position in the core's frame.
+std::array<double, 3> to_mm(const Vector3<Position>& x, const ModelParameters& parameters);
+Vector3<Position> from_mm(const std::array<double, 3>& mm, const ModelParameters& parameters);
+
+}  // namespace palpate::sim
