@@ -16,6 +16,8 @@ std::array<int32_t, 3> read_encoders() {
   return {g_row.encoder_counts[0], g_row.encoder_counts[1], g_row.encoder_counts[2]};
 }
 
-uint32_t read_buttons() { return g_row.buttons; }
+uint32_t read_buttons() {
+  return (g_row.buttons & firmware::ScriptRow::kGraspButton) != 0 ? kGraspButton : 0;
+}
 
 }  // namespace palpate::port

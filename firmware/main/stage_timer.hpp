@@ -2,7 +2,7 @@
 // nothing that it knows enters the state.
 #pragma once
 
-#include "palpate/firmware/stages.hpp"
+#include "palpate/firmware/stage.hpp"
 #include "palpate/ports/cycle_counter.hpp"
 
 namespace palpate::firmware {

@@ -4,9 +4,6 @@
 #include "palpate/ports/system.hpp"
 #include "text.hpp"
 
-#define PALPATE_TEXT_OF(name) #name
-#define PALPATE_TEXT(name) PALPATE_TEXT_OF(name)
-
 namespace palpate::firmware {
 namespace {
 
@@ -46,6 +43,12 @@ void summarize(const char* key, Integer value) {
   print("\n");
 }
 
+void summarize_hex(const char* key, uint64_t value) {
+  begin_summary(key);
+  print_hex(value);
+  print("\n");
+}
+
 void summarize_time(const char* max_key, const char* mean_key, const char* detail, const TimeFigure& time,
                     uint32_t ticks) {
   begin_summary(max_key, detail);
@@ -82,20 +85,23 @@ void print_hash_row(const Run& run) {
   print_decimal(run.ticks);
   for (uint32_t i = 0; i < kStageCount; ++i) {
     print(",");
-    print_hex(stage_hash(run.state, run.actuators, static_cast<Stage>(i)));
+    print_hex(stage_hash(run.state, static_cast<Stage>(i)));
   }
   print(",");
-  print_hex(state_hash(run.state, run.actuators));
+  print_hex(state_hash(run.state));
   print("\n");
 }
 
 void print_summary(const Run& run) {
-  summarize("profile", PALPATE_TEXT(PALPATE_PROFILE));
+  summarize("profile", Profile::kName);
   summarize("scenario", kScenarioImage.name);
   summarize("ticks", run.ticks);
-  begin_summary("state_hash");
-  print_hex(state_hash(run.state, run.actuators));
-  print("\n");
+  summarize("leaves", uint32_t{run.state.core.forest.leaf_count});
+  summarize("nodes", uint32_t{run.state.core.forest.nodes.used()});
+  // What follows is the square, in (2^-27 N)^2: the root is the reader's.
+  summarize_hex("peak_force_square", run.state.peak_force_square);
+  summarize_hex("state_hash", state_hash(run.state));
+  summarize("fault", static_cast<uint32_t>(run.state.fault));
   summarize("overruns", run.overruns);
   summarize("state_bytes", static_cast<uint32_t>(sizeof(run)));
   summarize("stack_peak_bytes", port::stack_peak_bytes());

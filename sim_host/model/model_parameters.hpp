@@ -43,11 +43,10 @@ struct SceneParameters {
   double force_scale = 1.0;
 };
 
-/// What the core's formats and a stable step allow. Throws BadInput outside.
+/// The supported domain (docs/numerics.md) and a stable step. Throws BadInput outside.
 void check_domain(const ModelParameters& parameters);
 void check_domain(const SceneParameters& scene, const ModelParameters& parameters);
 
-/// Largest stable substep in seconds for the parameters' finest level, softest case of all regions; see stability.hpp.
 Model compile_model(const ModelParameters& parameters);
 firmware::Scene compile_scene(const SceneParameters& scene, const ModelParameters& parameters);
 

@@ -1,6 +1,7 @@
 // Between doubles and the core's fixed-point formats. Host only.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -18,6 +19,13 @@ double to_double(Q<I, F> q) {
 template <class To>
 To to_fixed(double value) {
   return To::from_raw(static_cast<int32_t>(std::llround(std::ldexp(value, To::kFractionBits))));
+}
+
+/// For values below the format's end that may round up to it.
+template <class To>
+To to_fixed_below(double value) {
+  const double raw = std::round(std::ldexp(value, To::kFractionBits));
+  return To::from_raw(static_cast<int32_t>(std::min(raw, 2147483647.0)));
 }
 
 template <class Scalar>

@@ -18,8 +18,8 @@ constexpr int leading_zeros(uint32_t x) {
 
 /// 1/x for x in [0.5, 1): a number in (1, 2]; 2 itself, from x = 0.5 alone, saturates to Q<1, 30>::max().
 /// Error at most 0.8 LSB (2^-30; 1 LSB where it saturates): 0.5 from the last rounding, 0.25 from the
-/// residual's, 0.02 from the method (cubic seed 1.8e-3, then 3.1e-6, 9.1e-12). Cost: 7 multiplies (32 x 32 to
-/// 64).
+/// residual's, 0.02 from the method (cubic seed 1.8e-3, then 3.1e-6, 9.1e-12).
+/// Cost: 7 multiplies (32 x 32 to 64).
 Q<1, 30> reciprocal_normalised(Q<0, 31> x);
 
 /// 1/sqrt(x) for x in [0.25, 1): a number in (1, 2]; 2 itself saturates to Q<1, 30>::max().

@@ -54,7 +54,7 @@ inline ArmVector<Metre> arm_position(const Posture& posture) {
 /// tau = J^T F with J = d position / d q, written in the plane of the links:
 ///   f_r = cos q1 F_forward + sin q1 F_left,   f_t = cos q1 F_left - sin q1 F_forward
 ///   tau1 = R f_t,  tau2 = l1 cos q2 F_up - l1 sin q2 f_r,  tau3 = l2 sin q3 F_up + l2 cos q3 f_r
-/// Any force that Newton holds, so that |tau| < 23 N m. Within 4e-8 N m of the exact product at the same
+/// Any force that Newton holds, so that |tau| < 12 N m. Within 4e-8 N m of the exact product at the same
 /// angles. 9 multiplies.
 inline Vector3<NewtonMetre> arm_torques(const Posture& posture, const ArmVector<Newton>& force) {
   using PlaneForce = Q<5, 26>;  // f_r and f_t reach 16 sqrt 2 N

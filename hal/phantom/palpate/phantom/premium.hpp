@@ -1,5 +1,6 @@
-// PHANToM Premium 1.5. Device frame: x forward, y left, z up; the zero pose (links orthogonal) is P = (l1, 0,
-// -l2). Figures: Cavusoglu, Feygin, Tendick 2002 and github.com/mahilab/Phantom.
+// PHANToM Premium 1.5. Device frame: x forward, y left, z up.
+// The zero pose (links orthogonal) is P = (l1, 0, -l2).
+// Figures: Cavusoglu, Feygin, Tendick 2002 and github.com/mahilab/Phantom.
 #pragma once
 
 #include "palpate/phantom/arm.hpp"
@@ -9,10 +10,9 @@ namespace palpate::phantom::premium {
 
 inline constexpr ArmLengths kArm{Length::ratio(215, 1000), Length::ratio(170, 1000)};
 
-/// HEDM-5500 encoders of 1024 lines on the motors, x4: 4096 counts a motor turn, times eta
-/// = 13.3, 11.2, 11.2; 8670, 7301, 7301 counts/rad. All three are reversed: decoders in their natural
-/// direction count down as the joint angles grow. A board that reverses them in hardware gives +1 three
-/// times.
+/// HEDM-5500 encoders of 1024 lines on the motors, x4: 4096 counts a motor turn, times the capstan ratios
+/// 13.3, 11.2, 11.2. That is 8670, 7301, 7301 counts/rad. All three are reversed: decoders in their natural
+/// direction count down as the joint angles grow. A board that reverses them in hardware uses +1, +1, +1.
 inline constexpr EncoderRatings kEncoders{{4096 * 13300, 4096 * 11200, 4096 * 11200}, {-1, -1, -1}};
 
 /// Decoders reset with the links orthogonal.
