@@ -5,9 +5,9 @@
 namespace palpate {
 namespace {
 
-using Unit = Q<1, 30>;   // H and a after normalisation: within +-1
-using Minor = Q<1, 30>;  // 2x2 minors of it: within +-2
-using Triple = Q<3, 28>; // determinant and adjugate times a: within +-6
+using Unit = Q<1, 30>;    // H and a after normalisation: within +-1
+using Minor = Q<1, 30>;   // 2x2 minors of it: within +-2
+using Triple = Q<3, 28>;  // determinant and adjugate times a: within +-6
 
 /// Radians a step and component.
 constexpr Unit kStepLimit = Unit::ratio(1, 1);
@@ -38,7 +38,12 @@ NewtonSystem newton_system(const Matrix3<Strain>& b) {
   const auto unit = [room](int32_t raw) {
     return Unit::from_raw(static_cast<int32_t>(static_cast<uint32_t>(raw) << room));
   };
-  return NewtonSystem{unit(h00), unit(h01), unit(h02), unit(h11), unit(h12), unit(h22),
+  return NewtonSystem{unit(h00),
+                      unit(h01),
+                      unit(h02),
+                      unit(h11),
+                      unit(h12),
+                      unit(h22),
                       Vector3<Unit>(unit(a0), unit(a1), unit(a2))};
 }
 
@@ -86,8 +91,7 @@ Quaternion cayley_update(const Quaternion& q, const Vector3<Unit>& omega) {
   const Unit py = narrow<Unit>(q.y * one + q.w * y + q.z * x - q.x * z);
   const Unit pz = narrow<Unit>(q.z * one + q.w * z + q.x * y - q.y * x);
   // |p|^2 is in [1, 1.75]: half of it is well inside the root's domain. 1/|p| = root / sqrt 2.
-  const auto half_square =
-      narrow<Q<0, 31>>(divide_by_power_of_two<1>(pw * pw + px * px + py * py + pz * pz));
+  const auto half_square = narrow<Q<0, 31>>(divide_by_power_of_two<1>(pw * pw + px * px + py * py + pz * pz));
   constexpr Unit kRootOfHalf = Unit::ratio(7071067811865475, 10000000000000000);
   const auto scale = narrow<Unit>(reciprocal_square_root_normalised(half_square) * kRootOfHalf);
   return Quaternion{narrow<Unit>(pw * scale), narrow<Unit>(px * scale), narrow<Unit>(py * scale),

@@ -28,8 +28,10 @@ void check_regions(const ModelParameters& parameters) {
     require_range(where + "youngs_modulus_pa", regions[i].youngs_modulus_pa, 100.0, 1e6);
     require_range(where + "poisson_ratio", regions[i].poisson_ratio, 0.0, 0.495);
     require_range(where + "density_kg_m3", regions[i].density_kg_m3, 10.0, 2000.0);
-    require_range(where + "largest youngs_modulus_pa over this one", stiffest / regions[i].youngs_modulus_pa, 1.0, 100.0);
-    require_range(where + "largest density_kg_m3 over this one", heaviest / regions[i].density_kg_m3, 1.0, 20.0);
+    require_range(where + "largest youngs_modulus_pa over this one", stiffest / regions[i].youngs_modulus_pa,
+                  1.0, 100.0);
+    require_range(where + "largest density_kg_m3 over this one", heaviest / regions[i].density_kg_m3, 1.0,
+                  20.0);
   }
 }
 
@@ -44,13 +46,43 @@ void check_shape(const ModelParameters& parameters) {
   require_range("level", parameters.level, 0, kDeepestLevel);
   const auto& map = parameters.region_of_cube;
   if (!map.empty() && map.size() != count) {
-    throw BadInput(fmt::format("region_of_cube has {} entries, but the block has {} cubes", map.size(), count));
+    throw BadInput(
+        fmt::format("region_of_cube has {} entries, but the block has {} cubes", map.size(), count));
   }
   for (const int region : map) {
-    require_range("an entry of region_of_cube", region, -1, static_cast<double>(parameters.regions.size()) - 1.0);
+    require_range("an entry of region_of_cube", region, -1,
+                  static_cast<double>(parameters.regions.size()) - 1.0);
   }
   if (!map.empty() && std::all_of(map.begin(), map.end(), [](int region) { return region < 0; })) {
     throw BadInput("region_of_cube leaves no cube: at least one entry must be 0 or more");
+  }
+}
+
+/// Displacement a substep of the lightest possible node (one tet) for a unit force must fit the core's
+/// Impulse.
+void check_impulse(const ModelParameters& parameters) {
+  constexpr double kHighest = 7.99;
+  constexpr double kLowest = 1.0 / 65536.0;  // of the heaviest, 48 tets: 12 bits are left
+  double lightest = 1e9;
+  double heaviest = 0.0;
+  for (const RegionParameters& region : parameters.regions) {
+    lightest = std::min(lightest, region.density_kg_m3);
+    heaviest = std::max(heaviest, region.density_kg_m3);
+  }
+  const double step_s = 1e-3 / parameters.substeps;
+  const double tet_m3 = std::pow(parameters.edge_m, 3) / 6.0 * std::ldexp(1.0, -parameters.level);
+  const double force_step = step_s * step_s * reference_modulus_pa(parameters) * parameters.edge_m;
+  const double highest = force_step / (lightest * tet_m3 / 4.0);
+  if (highest > kHighest) {
+    const int needed = static_cast<int>(std::ceil(parameters.substeps * std::sqrt(highest / kHighest)));
+    throw BadInput(fmt::format(
+        "a force moves the lightest node too far in one substep; the model needs {} substeps", needed));
+  }
+  if (force_step / (heaviest * tet_m3 * 12.0) < kLowest) {
+    throw BadInput(
+        "the body is too heavy for its stiffness: take a smaller edge_m or density_kg_m3, fewer substeps or "
+        "a larger "
+        "youngs_modulus_pa");
   }
 }
 
@@ -60,13 +92,18 @@ void check_step(const ModelParameters& parameters) {
   const double step_s = 1e-3 / parameters.substeps;
   const int needed = needed_substeps(parameters);
   if (parameters.substeps < needed) {
-    const auto advice = needed <= static_cast<int>(kMaxSubsteps)
-                            ? fmt::format("needs {} substeps", needed)
-                            : fmt::format("would need {} substeps, more than {}: take a coarser level, a larger density "
-                                          "or a softer material", needed, kMaxSubsteps);
-    throw BadInput(fmt::format("the model is unstable with {} substeps of {:.3f} ms: its critical step is {:.3f} ms; it {}",
-                               parameters.substeps, step_s * 1e3, critical_step_s(parameters) * 1e3, advice));
+    const auto advice =
+        needed <= static_cast<int>(kMaxSubsteps)
+            ? fmt::format("needs {} substeps", needed)
+            : fmt::format(
+                  "would need {} substeps, more than {}: take a coarser level, a larger density "
+                  "or a softer material",
+                  needed, kMaxSubsteps);
+    throw BadInput(fmt::format(
+        "the model is unstable with {} substeps of {:.3f} ms: its critical step is {:.3f} ms; it {}",
+        parameters.substeps, step_s * 1e3, critical_step_s(parameters) * 1e3, advice));
   }
+  check_impulse(parameters);
   const double largest = largest_stiffness_damping_s(critical_step_s(parameters), step_s);
   // beta_K / dt must also stay below 1, the format's end.
   require_range("stiffness_damping_s", parameters.stiffness_damping_s, 0.0, std::min(largest, 0.99 * step_s));

@@ -11,7 +11,8 @@ constexpr double kTickS = 1e-3;
 
 Block compile_block(const ModelParameters& parameters) {
   Block block{};
-  for (std::size_t axis = 0; axis < 3; ++axis) block.cubes[axis] = static_cast<uint8_t>(parameters.cubes[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    block.cubes[axis] = static_cast<uint8_t>(parameters.cubes[axis]);
   for (uint32_t i = 0; i < kMaxCubes; ++i) block.region[i] = Block::kAbsent;
   for (uint32_t i = 0; i < block.cube_count(); ++i) {
     const int region = parameters.region_of_cube.empty() ? 0 : parameters.region_of_cube[i];

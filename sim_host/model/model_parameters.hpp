@@ -1,5 +1,5 @@
-// A model as its author writes it: SI units, doubles. compile_model turns it into the core's integers, or refuses it
-// with the place, the value and the range that would be right.
+// A model as its author writes it: SI units, doubles. compile_model turns it into the core's integers, or
+// refuses it with the place, the value and the range that would be right.
 #pragma once
 
 #include <array>

@@ -15,13 +15,14 @@ double p_wave_modulus_ratio(double nu) { return (1.0 - nu) / ((1.0 + nu) * (1.0 
 }  // namespace
 
 double critical_step_s(int level, double edge_m, const RegionParameters& region) {
-  constexpr double kTableS[3] = {0.781e-3, 0.664e-3, 0.435e-3};  // levels 3, 4, 5
+  constexpr double kTableS[3] = {0.781e-3, 0.664e-3, 0.435e-3};   // levels 3, 4, 5
   constexpr double kFinerS[3] = {0.400e-3, 0.332e-3, 0.2175e-3};  // levels 6, 7, 8
   const double in_table = level < 6 ? kTableS[level % 3] * std::ldexp(1.0, 1 - level / 3)
                                     : kFinerS[level % 3] * std::ldexp(1.0, 2 - level / 3);
   const double by_edge = edge_m / 0.064;
   const double by_density = std::sqrt(region.density_kg_m3 / 10.0 * 500.0 / region.youngs_modulus_pa);
-  const double by_poisson = std::sqrt(p_wave_modulus_ratio(0.49) / p_wave_modulus_ratio(region.poisson_ratio));
+  const double by_poisson =
+      std::sqrt(p_wave_modulus_ratio(0.49) / p_wave_modulus_ratio(region.poisson_ratio));
   return in_table * by_edge * by_density * by_poisson;
 }
 

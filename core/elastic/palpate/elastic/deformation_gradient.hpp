@@ -18,8 +18,8 @@ struct EdgeVectors {
 };
 
 /// g1, g2, g3 of a tet from the positions of its vertices, all within kPositionLimit.
-inline EdgeVectors edge_vectors(TetType type, const EdgeVector& w0, const EdgeVector& w1, const EdgeVector& w2,
-                                const EdgeVector& w3) {
+inline EdgeVectors edge_vectors(TetType type, const EdgeVector& w0, const EdgeVector& w1,
+                                const EdgeVector& w2, const EdgeVector& w3) {
   switch (type) {
     case TetType::kType0:
       return EdgeVectors{w1 - w0, w2 - w1, w3 - w2};

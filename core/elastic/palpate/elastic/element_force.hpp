@@ -1,8 +1,8 @@
 // The corotated force of one tet (Tagawa et al., Eq. 2, written with the deformation gradient):
 //   A = R^T F,  e = sym(A) - I,  sigma = 2 mu e + lambda tr(e) I,  P = R sigma,  f_i = - V dF/dw_i : P
 // R is a group's, not this tet's own, so A is not symmetric and the sym matters. With the edge vectors g_k of
-// tet_shape.hpp, V dF/dg_k is a shift, and the nodal forces are differences of three vectors t_k; they sum to exactly
-// zero whatever the rounding, so linear momentum is exact.
+// tet_shape.hpp, V dF/dg_k is a shift, and the nodal forces are differences of three vectors t_k; they sum to
+// exactly zero whatever the rounding, so linear momentum is exact.
 #pragma once
 
 #include "palpate/elastic/deformation_gradient.hpp"
@@ -23,7 +23,8 @@ struct EdgeForces {
 };
 
 /// The symmetric sigma as a full matrix. `clamped` collects a non-zero bit when trace or stress was.
-inline Matrix3<Stress> corotated_stress(const Matrix3<Strain>& a, const Material& material, uint32_t& clamped) {
+inline Matrix3<Stress> corotated_stress(const Matrix3<Strain>& a, const Material& material,
+                                        uint32_t& clamped) {
   constexpr Strain kTwo = Strain::ratio(2, 1);
   const Strain xx = a(0, 0) + a(0, 0) - kTwo;  // twice e
   const Strain yy = a(1, 1) + a(1, 1) - kTwo;
@@ -61,8 +62,9 @@ inline Force edge_force_component(Strain p, uint32_t shift, bool negative) {
 }
 
 /// t1, t2, t3 of a tet whose edge vectors are `edges`, with rotation r.
-inline EdgeForces corotated_edge_forces(const EdgeVectors& edges, Axes axes, uint8_t level, const RotationMatrix& r,
-                                        const Material& material, uint32_t& clamped) {
+inline EdgeForces corotated_edge_forces(const EdgeVectors& edges, Axes axes, uint8_t level,
+                                        const RotationMatrix& r, const Material& material,
+                                        uint32_t& clamped) {
   const DeformationGradient f = deformation_gradient(edges, axes, level, clamped);
   const Matrix3<Stress> sigma = corotated_stress(corotated_gradient(r, f), material, clamped);
   const Matrix3<Strain> p = narrow<Strain>(r * sigma);

@@ -1,5 +1,6 @@
-// Groups: a tet whose rotation is extracted, with the leaves that use it. Here every leaf is its own group (full
-// corotation); a leaf only knows its group's index, so a coarser front changes nothing in the force loop.
+// Groups: a tet whose rotation is extracted, with the leaves that use it. Here every leaf is its own group
+// (full corotation); a leaf only knows its group's index, so a coarser front changes nothing in the force
+// loop.
 #pragma once
 
 #include "palpate/elastic/element_force.hpp"
@@ -37,8 +38,9 @@ void update_rotations(const Forest<Profile>& forest, Groups<Profile>& groups) {
   const auto& position = forest.node.position;
   for (const uint32_t i : bounded<Profile::kGroups>(groups.count, [] {})) {
     const Leaf& leaf = forest.leaf_of(groups.tet[i]);
-    const EdgeVectors edges = edge_vectors(type_of_level(leaf.level), position[leaf.node[0]], position[leaf.node[1]],
-                                           position[leaf.node[2]], position[leaf.node[3]]);
+    const EdgeVectors edges =
+        edge_vectors(type_of_level(leaf.level), position[leaf.node[0]], position[leaf.node[1]],
+                     position[leaf.node[2]], position[leaf.node[3]]);
     uint32_t clamped = 0;
     const DeformationGradient f = deformation_gradient(edges, leaf.axes, leaf.level, clamped);
     groups.rotation[i] = extract_rotation(f, groups.rotation[i]);
@@ -46,9 +48,9 @@ void update_rotations(const Forest<Profile>& forest, Groups<Profile>& groups) {
   }
 }
 
-/// Overwrites every node's force with the corotated forces of all leaves at `at` (positions, or positions moved on by
-/// stiffness damping). Returns the number of leaves whose strain or stress was clamped. Integer sums: any order of
-/// leaves gives the same bits.
+/// Overwrites every node's force with the corotated forces of all leaves at `at` (positions, or positions
+/// moved on by stiffness damping). Returns the number of leaves whose strain or stress was clamped. Integer
+/// sums: any order of leaves gives the same bits.
 template <class Profile>
 uint32_t evaluate_forces(Forest<Profile>& forest, const Groups<Profile>& groups, const Materials& materials,
                          const std::array<Vector3<Position>, Profile::kNodes>& at) {
@@ -65,7 +67,8 @@ uint32_t evaluate_forces(Forest<Profile>& forest, const Groups<Profile>& groups,
     uint32_t clamped = 0;
     const EdgeForces t = corotated_edge_forces(edges, leaf.axes, leaf.level, groups.matrix[leaf.group],
                                                materials[leaf.region], clamped);
-    add_nodal_forces(type, t, force[leaf.node[0]], force[leaf.node[1]], force[leaf.node[2]], force[leaf.node[3]]);
+    add_nodal_forces(type, t, force[leaf.node[0]], force[leaf.node[1]], force[leaf.node[2]],
+                     force[leaf.node[3]]);
     clamped_leaves += clamped != 0 ? 1u : 0u;
   }
   return clamped_leaves;

@@ -1,10 +1,12 @@
 // Rotation extraction: the rotation R nearest to a deformation gradient, det R = +1 also for inverted tets.
 //
-// R maximises tr(R^T F) (polar decomposition). One Newton step from a warm start, with a Cayley update that keeps the
-// quaternion a rotation (after Kugelstadt, Koschier, Bender 2018, "Fast corotated FEM using operator splitting"):
-//   B = R^T F,  a = axial vector of B - B^T,  H = tr(B) I - sym(B),  omega = H^-1 a,  q <- q (1, omega / 2) / |.|
-// The error falls with the cube of the warm start's. Where H is not safely positive definite (a tet that is flat or
-// inverted in two ways at once) the step is a gradient step, which always climbs and stays finite.
+// R maximises tr(R^T F) (polar decomposition). One Newton step from a warm start, with a Cayley update that
+// keeps the quaternion a rotation (after Kugelstadt, Koschier, Bender 2018, "Fast corotated FEM using
+// operator splitting"):
+//   B = R^T F,  a = axial vector of B - B^T,  H = tr(B) I - sym(B),  omega = H^-1 a,  q <- q (1, omega / 2) /
+//   |.|
+// The error falls with the cube of the warm start's. Where H is not safely positive definite (a tet that is
+// flat or inverted in two ways at once) the step is a gradient step, which always climbs and stays finite.
 #pragma once
 
 #include "palpate/elastic/deformation_gradient.hpp"
@@ -15,8 +17,8 @@ namespace palpate {
 /// Entries of R^T F: +-128, LSB 2^-24. |F| <= kStretchLimit keeps them within 14.
 using Strain = Q<7, 24>;
 
-/// One step from `warm`, at most kStepLimit a component: about 0.003 deg of error after a step of 5 deg, 1e-4 deg
-/// after 1 deg. Cost: about 130 multiplies, no division, no loop.
+/// One step from `warm`, at most kStepLimit a component: about 0.003 deg of error after a step of 5 deg, 1e-4
+/// deg after 1 deg. Cost: about 130 multiplies, no division, no loop.
 [[nodiscard]] Quaternion extract_rotation(const DeformationGradient& f, const Quaternion& warm);
 
 /// R^T F in strain format, 27 multiplies.

@@ -1,6 +1,6 @@
-// A pool of indices 0 .. Capacity-1 with O(1) allocate and release, and no memory of its own to hand out: owners
-// keep their data in plain arrays beside it. Live indices are always dense in live(0) .. live(used()-1), so loops
-// over what is alive need no test. All calls take constant time.
+// A pool of indices 0 .. Capacity-1 with O(1) allocate and release, and no memory of its own to hand out:
+// owners keep their data in plain arrays beside it. Live indices are always dense in live(0) ..
+// live(used()-1), so loops over what is alive need no test. All calls take constant time.
 #pragma once
 
 #include "palpate/numeric/bounded.hpp"

@@ -1,6 +1,7 @@
-// The bisection forest: a binary tree under every root tet. Leaves are the simulation mesh and carry vertices and
-// neighbours; internal tets keep only their child pair, parent and level. Tets live in sibling pairs (2p, 2p + 1),
-// so a sibling is one bit away and a parent is stored once a pair. Leaves are dense: leaf[0 .. leaf_count).
+// The bisection forest: a binary tree under every root tet. Leaves are the simulation mesh and carry vertices
+// and neighbours; internal tets keep only their child pair, parent and level. Tets live in sibling pairs (2p,
+// 2p + 1), so a sibling is one bit away and a parent is stored once a pair. Leaves are dense: leaf[0 ..
+// leaf_count).
 //
 // Forest holds the data and the questions about it; bisect and merge are in patch.hpp, construction in
 // make_forest.hpp, checks in invariants.hpp.

@@ -1,5 +1,6 @@
-// What must always hold, checked leaf by leaf (so it can run in slices) or all at once. The mesh is conforming when
-// every face is either shared by two leaves that name each other or lies on the surface of the block.
+// What must always hold, checked leaf by leaf (so it can run in slices) or all at once. The mesh is
+// conforming when every face is either shared by two leaves that name each other or lies on the surface of
+// the block.
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
@@ -8,16 +9,16 @@ namespace palpate {
 
 enum class Violation : uint8_t {
   kNothing,
-  kDeadNode,           // a leaf names a node that is not in use
-  kWrongShape,         // a leaf is not the tet that its type, size and axes say
-  kTreeLink,           // leaf, tet and pair do not name each other
-  kNeighbour,          // a neighbour does not name the leaf back, or shares other nodes
-  kHole,               // a face without neighbour is not on the surface: a hanging node
-  kVolume,             // the leaves do not fill the block
-  kMass,               // lumped masses do not add up
-  kLeafCount,          // leaves and pairs do not fit together
-  kNodeUse,            // a live node belongs to no leaf
-  kPool                // a pool's lists are damaged
+  kDeadNode,    // a leaf names a node that is not in use
+  kWrongShape,  // a leaf is not the tet that its type, size and axes say
+  kTreeLink,    // leaf, tet and pair do not name each other
+  kNeighbour,   // a neighbour does not name the leaf back, or shares other nodes
+  kHole,        // a face without neighbour is not on the surface: a hanging node
+  kVolume,      // the leaves do not fill the block
+  kMass,        // lumped masses do not add up
+  kLeafCount,   // leaves and pairs do not fit together
+  kNodeUse,     // a live node belongs to no leaf
+  kPool         // a pool's lists are damaged
 };
 
 namespace invariants_detail {
@@ -57,8 +58,9 @@ bool is_linked_in_tree(const Forest<Profile>& forest, uint32_t index) {
   if (!forest.pairs.is_live(static_cast<uint16_t>(leaf.tet >> 1))) return false;
   const uint16_t parent = forest.parent_of(leaf.tet);
   if (parent == kNone) return leaf.level == 0;
-  return parent < Forest<Profile>::kTets && !forest.tet[parent].is_leaf && forest.tet[parent].link == leaf.tet >> 1 &&
-         forest.tet[parent].level + 1 == leaf.level && forest.pairs.is_live(static_cast<uint16_t>(parent >> 1));
+  return parent < Forest<Profile>::kTets && !forest.tet[parent].is_leaf &&
+         forest.tet[parent].link == leaf.tet >> 1 && forest.tet[parent].level + 1 == leaf.level &&
+         forest.pairs.is_live(static_cast<uint16_t>(parent >> 1));
 }
 
 /// Whether all three nodes of the face opposite `face` are nodes of `other`.
@@ -72,8 +74,8 @@ inline bool shares_face(const Leaf& leaf, uint32_t face, const Leaf& other) {
   return shared == 3;
 }
 
-/// Whether the cube around a face's outer side is absent: the face lies in one plane of the cubes' grid, and the
-/// cube beyond it is not part of the block.
+/// Whether the cube around a face's outer side is absent: the face lies in one plane of the cubes' grid, and
+/// the cube beyond it is not part of the block.
 template <class Profile>
 bool is_on_surface(const Forest<Profile>& forest, const Block& block, const Leaf& leaf, uint32_t face) {
   const LatticePoint corner = block.corner(0, 0, 0);

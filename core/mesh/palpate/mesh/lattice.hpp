@@ -1,12 +1,13 @@
-// Rest positions. Every node sits on an integer lattice with 32 steps to a cube edge, fine enough for the midpoints
-// of level 14. The block of cubes is centred on the lattice origin.
+// Rest positions. Every node sits on an integer lattice with 32 steps to a cube edge, fine enough for the
+// midpoints of level 14. The block of cubes is centred on the lattice origin.
 #pragma once
 
 #include "palpate/numeric/linear.hpp"
 
 namespace palpate {
 
-/// Position and displacement in cube edges: +-16, LSB 2^-27 edge (0.5 nm at 64 mm). Nodes stay within kPositionLimit.
+/// Position and displacement in cube edges: +-16, LSB 2^-27 edge (0.5 nm at 64 mm). Nodes stay within
+/// kPositionLimit.
 using Position = Q<4, 27>;
 
 inline constexpr int kLatticeBits = 5;

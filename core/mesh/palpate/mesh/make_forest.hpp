@@ -21,7 +21,8 @@ inline uint32_t corner_index(const uint32_t at[3]) {
 }
 
 template <class Profile>
-uint16_t corner_node(Forest<Profile>& forest, const Block& block, CornerNodes& corners, const uint32_t at[3]) {
+uint16_t corner_node(Forest<Profile>& forest, const Block& block, CornerNodes& corners,
+                     const uint32_t at[3]) {
   uint16_t& known = corners.node[corner_index(at)];
   if (known != kNone) return known;
   known = forest.nodes.allocate();

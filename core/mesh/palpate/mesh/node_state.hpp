@@ -1,4 +1,5 @@
-// What every node carries: the plain type through which the mesh, elasticity, the solver and touch share a body.
+// What every node carries: the plain type through which the mesh, elasticity, the solver and touch share a
+// body.
 #pragma once
 
 #include "palpate/mesh/lattice.hpp"
@@ -10,16 +11,24 @@ using Velocity = Q<-5, 36>;
 /// Elastic force in E_ref edge^2: +-64, LSB 2^-25 (6e-8 N for 500 Pa and 64 mm).
 using Force = Q<6, 25>;
 
-/// Coordinates stay within +-4 edges, so that no difference of the three shapes leaves Position.
-inline constexpr Position kPositionLimit = Position::from_raw((int32_t{4} << Position::kFractionBits) - 4);
+/// Coordinates stay within +-(4 - 1/32) edges. A substep ahead at the highest speed they are still within
+/// +-4, so no edge vector of the three shapes leaves Position.
+inline constexpr Position kPositionLimit = Position::from_raw(
+    (int32_t{4} << Position::kFractionBits) - (int32_t{1} << (Position::kFractionBits - 5)) - 4);
+
+inline Vector3<Position> within_position_limit(const Vector3<Position>& x) {
+  return Vector3<Position>(clamp(x[0], -kPositionLimit, kPositionLimit),
+                           clamp(x[1], -kPositionLimit, kPositionLimit),
+                           clamp(x[2], -kPositionLimit, kPositionLimit));
+}
 
 /// One unit is a quarter of the volume of a level-15 tet at the density ratio 1/kDensityOne.
 using MassUnits = uint32_t;
 inline constexpr int kMassLevels = 15;
 inline constexpr uint32_t kDensityOne = 2048;
 
-/// Lumped mass that a tet of this level gives to each of its nodes. At most 48 tets meet at a node, and the sum
-/// stays below 2^32 for kDensityOne at every level.
+/// Lumped mass that a tet of this level gives to each of its nodes. At most 48 tets meet at a node, and the
+/// sum stays below 2^32 for kDensityOne at every level.
 constexpr MassUnits quarter_mass(uint8_t level, uint16_t density) {
   return static_cast<MassUnits>(density) << (kMassLevels - level);
 }

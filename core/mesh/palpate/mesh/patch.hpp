@@ -1,5 +1,6 @@
-// Patches: the atomic change of the mesh. A patch is all leaves around one refinement edge, at most kMaxPatch of them;
-// they are bisected together or not at all, so the mesh conforms after every call. Merging is the exact inverse.
+// Patches: the atomic change of the mesh. A patch is all leaves around one refinement edge, at most kMaxPatch
+// of them; they are bisected together or not at all, so the mesh conforms after every call. Merging is the
+// exact inverse.
 //
 //   find_patch   collects the leaves around the refinement edge of a leaf; O(patch)
 //   bisect       splits a ready patch at one new node; checks every slot before it changes anything
@@ -19,14 +20,15 @@ struct Patch {
   uint16_t blocker;  // with kNotReady: the coarser leaf that must be bisected first
 };
 
-/// Where a walk around an edge goes on: in `leaf`, entered through `entry_face`, the face opposite the fourth vertex.
+/// Where a walk around an edge goes on: in `leaf`, entered through `entry_face`, the face opposite the fourth
+/// vertex.
 inline uint32_t exit_around_edge(const Leaf& leaf, uint16_t end0, uint16_t end1, uint32_t entry_face) {
   constexpr uint32_t kSumOfPlaces = 0 + 1 + 2 + 3;
   return kSumOfPlaces - place_of_node(leaf, end0) - place_of_node(leaf, end1) - entry_face;
 }
 
-/// Collects into patch.tet the leaves around the edge (end0, end1) of leaf tet `start`, which has it between its
-/// places 0 and `end`. `accepts(leaf)` must hold for each; the first that fails becomes the blocker.
+/// Collects into patch.tet the leaves around the edge (end0, end1) of leaf tet `start`, which has it between
+/// its places 0 and `end`. `accepts(leaf)` must hold for each; the first that fails becomes the blocker.
 template <class Profile, class Accepts>
 [[nodiscard]] MeshStatus walk_around_edge(const Forest<Profile>& forest, uint16_t start, uint32_t end,
                                           Patch& patch, Accepts accepts) {
@@ -62,7 +64,8 @@ template <class Profile, class Accepts>
   return MeshStatus::kNotReady;
 }
 
-/// All leaves around the refinement edge of leaf tet `start`. With kNotReady, patch.blocker is the first coarser leaf.
+/// All leaves around the refinement edge of leaf tet `start`. With kNotReady, patch.blocker is the first
+/// coarser leaf.
 template <class Profile>
 [[nodiscard]] MeshStatus find_patch(const Forest<Profile>& forest, uint16_t start, Patch& patch) {
   const Leaf& first = forest.leaf_of(start);
@@ -77,8 +80,8 @@ template <class Profile>
   });
 }
 
-/// The patch to bisect next so that leaf tet `wanted` can be bisected: its own if ready, else a coarser one that
-/// stands in its way. Each step of the descent goes at least one level up.
+/// The patch to bisect next so that leaf tet `wanted` can be bisected: its own if ready, else a coarser one
+/// that stands in its way. Each step of the descent goes at least one level up.
 template <class Profile>
 [[nodiscard]] MeshStatus find_ready_patch(const Forest<Profile>& forest, uint16_t wanted, Patch& patch) {
   MeshStatus status = find_patch(forest, wanted, patch);
@@ -89,7 +92,8 @@ template <class Profile>
   return status;
 }
 
-/// The parents around the edge whose midpoint leaf tet `start` was made with, if all their children are leaves.
+/// The parents around the edge whose midpoint leaf tet `start` was made with, if all their children are
+/// leaves.
 template <class Profile>
 [[nodiscard]] MeshStatus find_merge(const Forest<Profile>& forest, uint16_t start, Patch& patch) {
   const uint16_t first_parent = forest.parent_of(start);
@@ -99,8 +103,9 @@ template <class Profile>
   const uint8_t level = forest.tet[first].level;
   const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(level - 1)));
   const uint16_t middle = forest.leaf_of(first).node[end];
-  const MeshStatus status = walk_around_edge(
-      forest, first, end, patch, [=](const Leaf& leaf) { return leaf.level == level && leaf.node[end] == middle; });
+  const MeshStatus status = walk_around_edge(forest, first, end, patch, [=](const Leaf& leaf) {
+    return leaf.level == level && leaf.node[end] == middle;
+  });
   if (status != MeshStatus::kDone) return MeshStatus::kNotMergeable;
   for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
     if (!forest.tet[Forest<Profile>::sibling(patch.tet[i])].is_leaf) return MeshStatus::kNotMergeable;
@@ -109,8 +114,8 @@ template <class Profile>
   return MeshStatus::kDone;
 }
 
-/// Splits the leaves of a patch from find_patch or find_ready_patch at the midpoint of their edge. The new node takes
-/// the mean position and velocity of the edge's ends. Changes nothing unless it returns kDone.
+/// Splits the leaves of a patch from find_patch or find_ready_patch at the midpoint of their edge. The new
+/// node takes the mean position and velocity of the edge's ends. Changes nothing unless it returns kDone.
 template <class Profile>
 [[nodiscard]] MeshStatus bisect(Forest<Profile>& forest, const Patch& patch);
 

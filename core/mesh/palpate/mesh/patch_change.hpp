@@ -18,10 +18,12 @@ void move_mass(Forest<Profile>& forest, const Leaf& parent, uint16_t middle, boo
   mass[middle] += 2 * change;
 }
 
-inline void point_back(Leaf& outer, uint16_t from, uint16_t to) { outer.neighbour[face_towards(outer, from)] = to; }
+inline void point_back(Leaf& outer, uint16_t from, uint16_t to) {
+  outer.neighbour[face_towards(outer, from)] = to;
+}
 
-/// Children of one parent. Across the two faces that hold the edge their neighbours are still the parent's, which
-/// connect_across mends when all parents of the patch are split.
+/// Children of one parent. Across the two faces that hold the edge their neighbours are still the parent's,
+/// which connect_across mends when all parents of the patch are split.
 template <class Profile>
 void split_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   const uint16_t slot0 = forest.tet[parent].link;
@@ -86,7 +88,8 @@ void connect_across(Forest<Profile>& forest, uint16_t parent) {
   }
 }
 
-/// The parent becomes a leaf again in its first child's slot; its second child's slot is filled by the last leaf.
+/// The parent becomes a leaf again in its first child's slot; its second child's slot is filled by the last
+/// leaf.
 template <class Profile>
 void join_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   const uint16_t pair = forest.tet[parent].link;
@@ -114,7 +117,8 @@ void join_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   forest.pairs.release(pair);
 }
 
-/// Across the two faces that hold the edge a joined tet still names its neighbour's child: name the neighbour.
+/// Across the two faces that hold the edge a joined tet still names its neighbour's child: name the
+/// neighbour.
 template <class Profile>
 void reconnect_across(Forest<Profile>& forest, uint16_t parent) {
   Leaf& whole = forest.leaf_of(parent);

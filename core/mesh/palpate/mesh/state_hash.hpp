@@ -1,5 +1,5 @@
-// A 64-bit hash over 32-bit words (FNV-1a's step, a word at a time): the same on every machine, order matters.
-// For states, golden files and divergence logs; not for the cycle.
+// A 64-bit hash over 32-bit words (FNV-1a's step, a word at a time): the same on every machine, order
+// matters. For states, golden files and divergence logs; not for the cycle.
 #pragma once
 
 #include "palpate/numeric/bounded.hpp"

@@ -1,9 +1,9 @@
-// The three shapes. A root is a Kuhn tetrahedron of a cube; bisection at the midpoint of the longest edge goes
-// through TYPE0 -> TYPE1 -> TYPE2 -> TYPE0 of half the size, so type = level mod 3 and size = level / 3
+// The three shapes. A root is a Kuhn tetrahedron of a cube; bisection at the midpoint of the longest edge
+// goes through TYPE0 -> TYPE1 -> TYPE2 -> TYPE0 of half the size, so type = level mod 3 and size = level / 3
 // (Maubach 1995: a vertex order carries the refinement edge from parent to child).
 //
-// With the vertices w0..w3 in that order, three edge-like vectors g1, g2, g3 are axis-parallel at rest and have
-// length h = 2^-size cube edges:
+// With the vertices w0..w3 in that order, three edge-like vectors g1, g2, g3 are axis-parallel at rest and
+// have length h = 2^-size cube edges:
 //   TYPE0  g1 = w1 - w0   g2 = w2 - w1          g3 = w3 - w2
 //   TYPE1  g1 = w1 - w0   g2 = w2 - w1          g3 = 2 w3 - w0 - w2
 //   TYPE2  g1 = w1 - w0   g2 = 2 w2 - w0 - w1   g3 = 2 (w3 - w2)
@@ -20,16 +20,15 @@ constexpr TetType type_of_level(uint8_t level) { return static_cast<TetType>(lev
 /// h = 2^-size_of_level cube edges.
 constexpr uint8_t size_of_level(uint8_t level) { return static_cast<uint8_t>(level / 3); }
 
-/// The refinement edge joins w0 and w[refinement_end]; in both children the midpoint takes place refinement_end.
+/// The refinement edge joins w0 and w[refinement_end]; in both children the midpoint takes place
+/// refinement_end.
 constexpr uint32_t refinement_end(TetType type) { return 3 - static_cast<uint32_t>(type); }
 
 /// The other two vertices of a tet with that refinement edge.
 struct EdgeOthers {
   uint32_t first, second;
 };
-constexpr EdgeOthers others(uint32_t end) {
-  return EdgeOthers{end == 1 ? 2u : 1u, end == 3 ? 2u : 3u};
-}
+constexpr EdgeOthers others(uint32_t end) { return EdgeOthers{end == 1 ? 2u : 1u, end == 3 ? 2u : 3u}; }
 
 /// Signed axes of g1, g2, g3 at rest: three bits each, axis in the low two and sign in the third.
 class Axes {
@@ -64,7 +63,8 @@ class Axes {
   uint16_t code_;
 };
 
-/// g_k = sum over i of coefficient[type][k][i] w_i: the table that the code above spells out, for tests and forces.
+/// g_k = sum over i of coefficient[type][k][i] w_i: the table that the code above spells out, for tests and
+/// forces.
 inline constexpr int8_t kEdgeCoefficients[3][3][4] = {
     {{-1, 1, 0, 0}, {0, -1, 1, 0}, {0, 0, -1, 1}},
     {{-1, 1, 0, 0}, {0, -1, 1, 0}, {-1, 0, -1, 2}},

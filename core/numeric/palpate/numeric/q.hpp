@@ -132,8 +132,8 @@ constexpr Q<I, F> Q<I, F>::ratio(int64_t numerator, int64_t denominator) {
   }
   quotient += 2 * rest >= divisor ? 1 : 0;
   check(quotient <= 0x7fffffffu, "ratio leaves the format");
-  return from_raw(static_cast<int32_t>(numerator < 0 ? -static_cast<int64_t>(quotient)
-                                                     : static_cast<int64_t>(quotient)));
+  return from_raw(
+      static_cast<int32_t>(numerator < 0 ? -static_cast<int64_t>(quotient) : static_cast<int64_t>(quotient)));
 }
 
 // Mixed formats and bare numbers: refused with a message that says what to do.

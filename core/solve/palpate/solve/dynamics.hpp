@@ -31,7 +31,7 @@ inline Impulse impulse_of(const Dynamics& dynamics, MassUnits mass) {
   return Impulse::from_raw(static_cast<int32_t>(shift_right_rounded(quotient.raw(), kWholeShift - exponent)));
 }
 
-/// A rigid motion of the body's frame: x = rotation x0 + translation.
+/// A rigid motion in the body's frame: x = rotation x0 + translation, translation within +-8 edges.
 struct RigidMotion {
   RotationMatrix rotation;
   Vector3<Position> translation;

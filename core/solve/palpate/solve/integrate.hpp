@@ -1,7 +1,7 @@
 // Symplectic Euler with lumped masses, one substep:
 //   v += dt a - alpha_M dt v,  x += dt v
-// and forces are evaluated at x + beta_K v, which is stiffness damping without a matrix. Held and grasped nodes go in a
-// straight line to where they must be at the end of the tick and arrive exactly.
+// and forces are evaluated at x + beta_K v, which is stiffness damping without a matrix. Held and grasped
+// nodes go in a straight line to where they must be at the end of the tick and arrive exactly.
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
@@ -58,7 +58,8 @@ void start_solve(const Forest<Profile>& forest, const Dynamics& dynamics, const 
 namespace integrate_detail {
 
 /// v + f impulse - alpha_M dt v in one rounding, clamped to the range of Velocity.
-inline Velocity next_velocity(Velocity v, Force f, Impulse impulse, Q<-5, 36> mass_damping, uint32_t& clamped) {
+inline Velocity next_velocity(Velocity v, Force f, Impulse impulse, Q<-5, 36> mass_damping,
+                              uint32_t& clamped) {
   constexpr int kBits = Force::kFractionBits + Impulse::kFractionBits;
   const Acc<kBits> kick = f * impulse;
   const Acc<72> drag = v * mass_damping;
@@ -93,9 +94,9 @@ inline Position force_position(Position x, Velocity v, Q<0, 31> stiffness_dampin
 
 /// 1 / n for n >= 2; 1 is not in the format, so the last substep places the node instead.
 inline constexpr std::array<Q<0, 31>, kMaxSubsteps + 1> kFractions = {
-    Q<0, 31>::max(),         Q<0, 31>::max(),         Q<0, 31>::ratio(1, 2), Q<0, 31>::ratio(1, 3),
-    Q<0, 31>::ratio(1, 4), Q<0, 31>::ratio(1, 5), Q<0, 31>::ratio(1, 6), Q<0, 31>::ratio(1, 7),
-    Q<0, 31>::ratio(1, 8)};
+    Q<0, 31>::max(),       Q<0, 31>::max(),       Q<0, 31>::ratio(1, 2),
+    Q<0, 31>::ratio(1, 3), Q<0, 31>::ratio(1, 4), Q<0, 31>::ratio(1, 5),
+    Q<0, 31>::ratio(1, 6), Q<0, 31>::ratio(1, 7), Q<0, 31>::ratio(1, 8)};
 
 }  // namespace integrate_detail
 
@@ -113,7 +114,8 @@ void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, const 
     const bool is_free = control == NodeControl::kFree && node != driven.node;
     Vector3<Position> target = driven.target;
     if (!is_free && node != driven.node) {
-      target = motions[control == NodeControl::kHeldByFirst ? 0 : 1](rest_position(state.rest[node]));
+      target = within_position_limit(
+          motions[control == NodeControl::kHeldByFirst ? 0 : 1](rest_position(state.rest[node])));
     }
     uint32_t too_fast = 0;
     uint32_t too_far = 0;
@@ -122,7 +124,8 @@ void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, const 
     for (const uint32_t axis : bounded<3>(3, [] {})) {
       const auto a = static_cast<Eigen::Index>(axis);
       if (is_free) {
-        v[a] = next_velocity(v[a], state.force[node][a], solve.impulse[node], dynamics.mass_damping, too_fast);
+        v[a] =
+            next_velocity(v[a], state.force[node][a], solve.impulse[node], dynamics.mass_damping, too_fast);
         x[a] = moved(x[a], v[a], too_far);
       } else {
         v[a] = towards(x[a], target[a], fraction, too_fast);
@@ -135,8 +138,8 @@ void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, const 
   }
 }
 
-/// All substeps of a tick. `forces(at)` must fill the nodes' forces for nodes at `at`; `integrate(remaining)` runs
-/// one substep. Both are the caller's so that each can be a stage of its own.
+/// All substeps of a tick. `forces(at)` must fill the nodes' forces for nodes at `at`; `integrate(remaining)`
+/// runs one substep. Both are the caller's so that each can be a stage of its own.
 template <class Forces, class Integrate>
 PALPATE_ALWAYS_INLINE void advance(const Dynamics& dynamics, Forces&& forces, Integrate&& integrate) {
   for (const uint32_t substep : bounded<kMaxSubsteps>(dynamics.substeps, [] {})) {

@@ -1,5 +1,5 @@
-// Hashes of what each stage wrote, and of all of it. Equal hashes on two machines mean equal bits; the first stage in
-// order whose hash differs is where two runs part. Outside the cycle, with the tick held off.
+// Hashes of what each stage wrote, and of all of it. Equal hashes on two machines mean equal bits; the first
+// stage in order whose hash differs is where two runs part. Outside the cycle, with the tick held off.
 #pragma once
 
 #include "palpate/mesh/state_hash.hpp"
@@ -12,7 +12,8 @@ namespace hash_detail {
 template <class Profile, class Scalar>
 void add_nodes(const Forest<Profile>& forest, const std::array<Vector3<Scalar>, Profile::kNodes>& values,
                StateHash& hash) {
-  for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) hash.add(values[forest.nodes.live(i)]);
+  for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {}))
+    hash.add(values[forest.nodes.live(i)]);
 }
 
 /// The mesh: changes only where it is refined or coarsened.

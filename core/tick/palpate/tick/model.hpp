@@ -1,6 +1,6 @@
-// A model: everything about an organ and its scene that stays as it is while the cycle runs, in internal units
-// (cube edge, substep, E_ref edge^2). Plain integers, made on the host from SI values and checked there; the
-// firmware only loads it.
+// A model: everything about an organ and its scene that stays as it is while the cycle runs, in internal
+// units (cube edge, substep, E_ref edge^2). Plain integers, made on the host from SI values and checked
+// there; the firmware only loads it.
 #pragma once
 
 #include "palpate/elastic/material.hpp"

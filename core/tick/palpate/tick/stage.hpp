@@ -1,5 +1,5 @@
-// The stages of a tick, in order; they index reports, telemetry, hashes and docs/dataflow.md. forces and integrate
-// run once a substep.
+// The stages of a tick, in order; they index reports, telemetry, hashes and docs/dataflow.md. forces and
+// integrate run once a substep.
 #pragma once
 
 #include "palpate/numeric/platform.hpp"

@@ -1,4 +1,5 @@
-// Everything that changes from tick to tick, and what goes in and out. One static object; no pointers, no heap.
+// Everything that changes from tick to tick, and what goes in and out. One static object; no pointers, no
+// heap.
 #pragma once
 
 #include "palpate/elastic/groups.hpp"

@@ -39,15 +39,17 @@ PALPATE_NOINLINE void forces(State<Profile>& state) {
 
 template <class Profile>
 PALPATE_NOINLINE void integrate(State<Profile>& state, const TickInput& input, uint32_t remaining) {
-  integrate_substep(state.forest, state.model.dynamics, input.hold_motion, state.driven, remaining, state.solve,
-                    state.clamps);
+  integrate_substep(state.forest, state.model.dynamics, input.hold_motion, state.driven, remaining,
+                    state.solve, state.clamps);
 }
 
 template <class Profile>
 PALPATE_NOINLINE void reaction(const State<Profile>& state, const ClampCounters& before, TickOutput& output) {
   output.reaction = zero_vector<Force>();
   if (state.grasp.holds()) output.reaction = state.forest.node.force[state.grasp.node.index];
-  const auto flag = [&output](bool set, TickFlag which) { output.flags |= set ? static_cast<uint32_t>(which) : 0u; };
+  const auto flag = [&output](bool set, TickFlag which) {
+    output.flags |= set ? static_cast<uint32_t>(which) : 0u;
+  };
   output.flags = 0;
   flag(state.clamps.speed != before.speed, TickFlag::kSpeedClamped);
   flag(state.clamps.position != before.position, TickFlag::kPositionClamped);

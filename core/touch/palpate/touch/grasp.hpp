@@ -14,15 +14,11 @@ struct Grasp {
   [[nodiscard]] bool holds() const { return node.index != kNone; }
 };
 
-/// Coordinates of the tool are limited so that no difference to a node leaves Position.
-inline Vector3<Position> within_position_limit(const Vector3<Position>& x) {
-  return Vector3<Position>(clamp(x[0], -kPositionLimit, kPositionLimit), clamp(x[1], -kPositionLimit, kPositionLimit),
-                           clamp(x[2], -kPositionLimit, kPositionLimit));
-}
-
-/// The live node nearest to `tool` and no farther than `reach` (0 .. 4 edges), or kNone. Ties: the first live one.
+/// The live node nearest to `tool` and no farther than `reach` (0 .. 4 edges), or kNone. Ties: the first live
+/// one.
 template <class Profile>
-[[nodiscard]] uint16_t nearest_node(const Forest<Profile>& forest, const Vector3<Position>& tool, Position reach) {
+[[nodiscard]] uint16_t nearest_node(const Forest<Profile>& forest, const Vector3<Position>& tool,
+                                    Position reach) {
   constexpr int kBits = 2 * Position::kFractionBits;
   Acc<kBits> least = reach * reach;
   uint16_t nearest = kNone;
