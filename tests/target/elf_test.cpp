@@ -20,7 +20,7 @@ size_t g_expected_flow_facts = 0;
 constexpr uint32_t kCodeStart = 0x0000'0000;
 constexpr uint32_t kCodeBytes = 64 * 1024;
 constexpr uint32_t kDataStart = 0x2000'0000;
-constexpr uint32_t kDataBytes = 128 * 1024;
+constexpr uint32_t kDataBytes = 256 * 1024;
 
 const ElfFile& elf() {
   static const ElfFile file(g_path);
@@ -70,7 +70,7 @@ TEST(FlowFacts, PointAtNops) {
   for (const FlowFactRecord& fact : elf().flow_facts()) {
     ASSERT_TRUE(text->holds(fact.pc)) << std::hex << fact.pc;
     const uint32_t at = fact.pc - text->header.sh_addr;
-    const uint32_t instruction = text->bytes.at(at) | (text->bytes.at(at + 1) << 8);
+    const uint32_t instruction = text->bytes.at(at) | uint32_t{text->bytes.at(at + 1)} << 8;
     EXPECT_EQ(instruction, 0xbf00u) << "no nop at " << std::hex << fact.pc;
   }
 }

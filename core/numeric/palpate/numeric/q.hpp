@@ -75,6 +75,10 @@ class Q {
   constexpr Q(Number) {  // NOLINT(google-explicit-constructor): it exists to refuse with our message
     static_assert(kAlwaysFalse<Number>, "palpate: numbers do not become Q; use from_raw, ratio or narrow");
   }
+  template <int F2>
+  constexpr Q(Acc<F2>) {  // NOLINT(google-explicit-constructor): it exists to refuse with our message
+    static_assert(kAlwaysFalse<Acc<F2>>, "palpate: an Acc does not become a Q by itself; use narrow");
+  }
   static constexpr Q from_raw(int32_t raw) {
     Q q{};
     q.raw_ = raw;
@@ -168,10 +172,11 @@ template <class To, int F>
 constexpr To narrow(Acc<F> acc) {
   constexpr int kShift = F - To::kFractionBits;
   static_assert(kShift >= 0, "palpate: narrow only drops fraction bits; widen the factors instead");
-  int64_t rounded = acc.raw();
-  if constexpr (kShift > 0) rounded = (acc.raw() + (int64_t{1} << (kShift - 1))) >> kShift;
-  const auto low = static_cast<int32_t>(static_cast<uint32_t>(static_cast<uint64_t>(rounded)));
-  check(low == rounded, "narrow leaves 32 bits");
+  // The shift is a logical one: gcc then sees that only 32 bits are left and multiplies them as such.
+  auto rounded = static_cast<uint64_t>(acc.raw());
+  if constexpr (kShift > 0) rounded += uint64_t{1} << (kShift - 1);
+  const auto low = static_cast<int32_t>(static_cast<uint32_t>(rounded >> kShift));
+  check(low == static_cast<int64_t>(rounded) >> kShift, "narrow leaves 32 bits");
   return To::from_raw(low);
 }
 

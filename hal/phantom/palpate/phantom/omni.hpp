@@ -13,23 +13,21 @@ inline constexpr bool kLengthsVerified = false;
 inline constexpr bool kCountsPerRadianVerified = false;
 
 inline constexpr ArmLengths kArm{Length::ratio(13335, 100000), Length::ratio(13335, 100000)};
-/// The origin lies in the middle of the workspace (q2 = 42.5, q3 = 31.7 degrees), above and behind the
-/// joints.
+/// The origin lies in the middle of the workspace (q2 = 42.5, q3 = 31.7 degrees), off the joints' crossing.
 inline constexpr auto kOriginUp = Metre::ratio(2335, 100000);        ///< L3
 inline constexpr auto kOriginForward = Metre::ratio(16835, 100000);  ///< L4
 
 inline constexpr EncoderRatings kEncoders{{19227000, 19227000, 19227000}, {1, 1, 1}};
 
-/// Decoders reset with the links orthogonal. The inkwell resets them elsewhere: the angles there are the
-/// device's.
+/// Decoders reset with the links orthogonal. A reset in the inkwell needs the joint angles there instead.
 inline constexpr Calibration kPlaceholder =
     make_calibration(kEncoders, {Angle::from_raw(0), Angle::from_raw(0), Angle::from_raw(0)});
 
 /// Sines, cosines and levers at these angles. 34 multiplies.
 Posture posture(const JointAngles& angles);
 
-/// (x, y, z) = (-R sin q1, h + L3, R cos q1 - L4), see arm.hpp. Within 1.6 nm of the exact position. 2
-/// multiplies.
+/// (x, y, z) = (-R sin q1, h + L3, R cos q1 - L4), see arm.hpp. Within 1.6 nm of the exact position.
+/// 2 multiplies.
 Vector3<Metre> tool_position(const Posture& posture);
 
 /// tau = J^T F for a force on the device frame's axes. Within 4e-8 N m of the exact product. 9 multiplies.

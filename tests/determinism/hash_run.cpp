@@ -1,0 +1,54 @@
+// palpate_hash_run [ticks [every]]: runs the golden scenario on this machine and prints the hashes of the
+// stages and of the whole state after every so many ticks. Nothing but the core and the cycle takes part.
+// With every = 1 it finds the very tick at which two builds part.
+#include <cinttypes>
+#include <cstdio>
+#include <cstdlib>
+
+#include "golden_scenario_image.hpp"
+#include "palpate/firmware/cycle.hpp"
+
+namespace {
+
+using namespace palpate;
+using namespace palpate::firmware;  // NOLINT(google-build-using-namespace)
+
+CycleState<golden::Profile> g_state;
+
+void print_header() {
+  std::printf("tick");
+  for (uint32_t i = 0; i < kStageCount; ++i) std::printf(",%s", stage_name(static_cast<Stage>(i)));
+  std::printf(",state\n");
+}
+
+void print_row(uint32_t tick) {
+  std::printf("%" PRIu32, tick);
+  for (uint32_t i = 0; i < kStageCount; ++i) {
+    std::printf(",%016" PRIx64, stage_hash(g_state, static_cast<Stage>(i)));
+  }
+  std::printf(",%016" PRIx64 "\n", state_hash(g_state));
+}
+
+uint32_t number_or(int argc, char** argv, int at, uint32_t otherwise) {
+  return argc > at ? static_cast<uint32_t>(std::strtoul(argv[at], nullptr, 10)) : otherwise;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const uint32_t asked = number_or(argc, argv, 1, kScenarioImage.row_count);
+  const uint32_t ticks = asked < kScenarioImage.row_count ? asked : kScenarioImage.row_count;
+  const uint32_t every = number_or(argc, argv, 2, 100);
+  if (every == 0 || start(g_state, kScenarioImage.model) != Status::kDone) return EXIT_FAILURE;
+  print_header();
+  NoProbe probe;
+  Actuators actuators{};
+  for (uint32_t tick = 1; tick <= ticks; ++tick) {
+    const ScriptRow& row = kScenarioImage.rows[tick - 1];
+    const Sensors sensors{{row.encoder_counts[0], row.encoder_counts[1], row.encoder_counts[2]},
+                          (row.buttons & ScriptRow::kGraspButton) != 0};
+    cycle(g_state, sensors, actuators, probe);
+    if (tick % every == 0) print_row(tick);
+  }
+  return EXIT_SUCCESS;
+}

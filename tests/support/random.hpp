@@ -1,0 +1,46 @@
+// A small generator with the same numbers on every machine (SplitMix64), for long seeded sequences.
+#pragma once
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstdint>
+
+namespace palpate::test {
+
+class Random {
+ public:
+  explicit Random(uint64_t seed) : state_(seed) {}
+
+  uint64_t bits() {
+    state_ += 0x9e3779b97f4a7c15u;
+    uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  /// 0 .. count - 1
+  uint32_t below(uint32_t count) { return static_cast<uint32_t>((bits() >> 32) * count >> 32); }
+  /// [-1, 1)
+  double centred() { return std::ldexp(static_cast<double>(bits() >> 11), -52) - 1.0; }
+  /// [0, 1)
+  double unit() { return std::ldexp(static_cast<double>(bits() >> 11), -53); }
+
+  Eigen::Vector3d vector() { return Eigen::Vector3d(centred(), centred(), centred()); }
+  Eigen::Vector3d direction() {
+    Eigen::Vector3d v = vector();
+    while (v.norm() < 0.1 || v.norm() > 1.0) v = vector();
+    return v.normalized();
+  }
+  Eigen::Matrix3d rotation() {
+    Eigen::Quaterniond q(centred(), centred(), centred(), centred());
+    while (q.norm() < 0.1 || q.norm() > 1.0) {
+      q = Eigen::Quaterniond(centred(), centred(), centred(), centred());
+    }
+    return q.normalized().toRotationMatrix();
+  }
+
+ private:
+  uint64_t state_;
+};
+
+}  // namespace palpate::test
