@@ -1,4 +1,6 @@
 // The firmware: builds the mesh, lets the tick interrupt run the script, and prints what came out.
+#include <new>
+
 #include "palpate/firmware/scenario_image.hpp"
 #include "palpate/ports/motors.hpp"
 #include "palpate/ports/system.hpp"
@@ -16,16 +18,16 @@ namespace {
   port::exit_program(status);
 }
 
-void run_script() {
-  g_run.ticks_to_hash = kHashEvery;
+void run_script(Run& run) {
+  run.ticks_to_hash = kHashEvery;
   print_stage_names();
   port::start_ticks(kTickPeriodUs);
   for (;;) {
     port::wait_for_tick();
-    if (!g_run.held) continue;
-    print_hash_row(g_run);
-    if (g_run.ticks == kScenarioImage.row_count) return;
-    g_run.held = false;
+    if (!run.held) continue;
+    print_hash_row(run);
+    if (run.ticks == kScenarioImage.row_count) return;
+    run.held = false;
     port::resume_ticks();
   }
 }
@@ -38,15 +40,17 @@ namespace palpate::port {
 void run_firmware() {
   using namespace firmware;
   initialize_board();
-  const Status status = start(g_run.state, kScenarioImage.model);
+  new (&g_storage.run) Run{};  // placed, not allocated
+  Run& run = the_run();
+  const Status status = start(run.state, kScenarioImage.model);
   if (status != Status::kDone) {
     print("error,the model is refused with status ");
     print_decimal(static_cast<uint32_t>(status));
     print("\n");
     finish(1);
   }
-  run_script();
-  print_summary(g_run);
+  run_script(run);
+  print_summary(run);
   finish(0);
 }
 

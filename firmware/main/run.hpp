@@ -22,6 +22,14 @@ struct Run {
   volatile bool held;  // the cycle asks the background for a hash row; the background answers by clearing it
 };
 
-extern Run g_run;
+/// Holds the run without constructing it: no constructor runs before run_firmware, which does it.
+union RunStorage {
+  constexpr RunStorage() : nothing{} {}
+  uint8_t nothing;
+  Run run;
+};
+extern RunStorage g_storage;
+
+inline Run& the_run() { return g_storage.run; }
 
 }  // namespace palpate::firmware

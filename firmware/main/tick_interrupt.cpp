@@ -9,19 +9,19 @@
 
 namespace palpate::firmware {
 
-Run g_run;
+RunStorage g_storage;
 
 namespace {
 
-void count_tick() {
-  ++g_run.ticks;
-  if (port::tick_pending()) ++g_run.overruns;
-  --g_run.ticks_to_hash;
+void count_tick(Run& run) {
+  ++run.ticks;
+  if (port::tick_pending()) ++run.overruns;
+  --run.ticks_to_hash;
   // The state stands still while the background hashes it, however long that takes.
-  if (g_run.ticks_to_hash == 0 || g_run.ticks == kScenarioImage.row_count) {
+  if (run.ticks_to_hash == 0 || run.ticks == kScenarioImage.row_count) {
     port::hold_ticks();
-    g_run.ticks_to_hash = kHashEvery;
-    g_run.held = true;
+    run.ticks_to_hash = kHashEvery;
+    run.held = true;
   }
 }
 
@@ -31,7 +31,7 @@ void count_tick() {
 namespace palpate::port {
 
 void on_tick() {
-  firmware::Run& run = firmware::g_run;
+  firmware::Run& run = firmware::the_run();
   run.timer.begin_tick();
   const std::array<int32_t, 3> counts = read_encoders();
   const firmware::Sensors sensors{counts, (read_buttons() & kGraspButton) != 0};
@@ -40,7 +40,7 @@ void on_tick() {
   set_amplifiers(run.actuators.amplifiers_enabled);
   toggle_amplifier_watchdog();
   run.timer.end_tick();
-  firmware::count_tick();
+  firmware::count_tick(run);
 }
 
 }  // namespace palpate::port

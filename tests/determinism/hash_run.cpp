@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   const uint32_t every = number_or(argc, argv, 2, 100);
   if (every == 0 || start(g_state, kScenarioImage.model) != Status::kDone) return EXIT_FAILURE;
   print_header();
-  NoProbe probe;
+  firmware::NoProbe probe;
   Actuators actuators{};
   for (uint32_t tick = 1; tick <= ticks; ++tick) {
     const ScriptRow& row = kScenarioImage.rows[tick - 1];

@@ -1,4 +1,4 @@
-// expect: (no match for .operator=.*Acc<62>|no viable overloaded '=')
+// expect: palpate: an Acc does not become a Q by itself
 #include "palpate/numeric/q.hpp"
 
 void assign(palpate::Q<0, 31>& q) { q = q * q; }

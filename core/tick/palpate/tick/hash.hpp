@@ -19,8 +19,8 @@ void add_nodes(const Forest<Profile>& forest, const std::array<Vector3<Scalar>, 
 /// The mesh: changes only where it is refined or coarsened.
 template <class Profile>
 void add_mesh(const Forest<Profile>& forest, StateHash& hash) {
-  hash.add(forest.leaf_count);
-  hash.add(forest.nodes.used());
+  hash.add(uint32_t{forest.leaf_count});
+  hash.add(uint32_t{forest.nodes.used()});
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
     const Leaf& leaf = forest.leaf[i];
     for (const uint32_t j : bounded<4>(4, [] {})) hash.add(leaf.node[j] | uint32_t{leaf.neighbour[j]} << 16);

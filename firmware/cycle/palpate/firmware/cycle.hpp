@@ -4,8 +4,9 @@
 //   touch .. reaction   the core's stages (palpate/tick/tick.hpp)
 //   motor_codes  reaction -> force on the handle -> joint torques -> motor codes
 //
-// The tick interrupt, the host board and the simulator all call this function. The same state and sensors give the same
-// bits on every machine. Codes are the zero code and amplifiers off in every cycle that does not end well.
+// The tick interrupt, the host board and the simulator all call this function. The same state and sensors
+// give the same bits on every machine. Codes are the zero code and amplifiers off in every cycle that does
+// not end well.
 #pragma once
 
 #include "palpate/firmware/scenario_image.hpp"
@@ -58,7 +59,7 @@ PALPATE_NOINLINE void motor_codes(CycleState<Profile>& state) {
   state.force = on_handle(state.scene, state.output.reaction);
   const auto torques = phantom::premium::joint_torques(state.posture, state.force);
   state.motor_codes = phantom::motor_codes(phantom::premium::kDrive, torques).codes;
-  for (const uint32_t i : bounded<3>(3, [] {})) state.code_history.add(state.motor_codes[i]);
+  for (const uint32_t i : bounded<3>(3, [] {})) state.code_history.add(uint32_t{state.motor_codes[i]});
   uint64_t square = 0;
   for (const uint32_t axis : bounded<3>(3, [] {})) {
     const int64_t raw = state.force[static_cast<Eigen::Index>(axis)].raw();

@@ -1,5 +1,5 @@
-// What the firmware is built around: an organ in its scene, and for boards without encoders a script of their counts.
-// The host program writes it as a C++ source (`palpate model NAME --firmware-image FILE`).
+// What the firmware is built around: an organ in its scene, and for boards without encoders a script of their
+// counts. The host program writes it as a C++ source (`palpate model NAME --firmware-image FILE`).
 #pragma once
 
 #include "palpate/firmware/scene.hpp"

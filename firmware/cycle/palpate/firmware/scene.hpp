@@ -11,7 +11,9 @@ using EdgesPerMetre = Q<6, 25>;
 
 struct Scene {
   EdgesPerMetre edges_per_metre;
-  Vector3<Position> device_origin;  // the device's origin in the body's frame, within +-4 edges
+  // The device's origin in the body's frame, within +-4 edges. Not a Vector3: a scene must be a constant that
+  // needs no code before main.
+  std::array<Position, 3> device_origin;
   // Newtons on the handle for a force of E_ref edge^2: E_ref edge^2 times the force scale
   //   = newton_mantissa 2^newton_exponent, mantissa in [0.5, 1), exponent -16 .. 28
   Q<0, 31> newton_mantissa;
@@ -23,7 +25,7 @@ inline Vector3<Position> in_body_frame(const Scene& scene, const Vector3<phantom
   constexpr Position kReach = Position::ratio(8, 1);
   const auto along = [&](Eigen::Index axis) {
     const auto edges = narrow_saturated<Position>(device[axis] * scene.edges_per_metre);
-    return clamp(edges, -kReach, kReach) + scene.device_origin[axis];
+    return clamp(edges, -kReach, kReach) + scene.device_origin[static_cast<std::size_t>(axis)];
   };
   return Vector3<Position>(along(0), along(1), along(2));
 }

@@ -12,7 +12,9 @@ static_assert(kStageCount == kCoreStages + 2, "palpate: every core stage has its
 constexpr Stage stage_of(CoreStage stage) {
   return static_cast<Stage>(static_cast<uint32_t>(stage) + static_cast<uint32_t>(Stage::kTouch));
 }
-constexpr bool is_core_stage(Stage stage) { return stage != Stage::kKinematics && stage != Stage::kMotorCodes; }
+constexpr bool is_core_stage(Stage stage) {
+  return stage != Stage::kKinematics && stage != Stage::kMotorCodes;
+}
 constexpr CoreStage core_stage_of(Stage stage) {
   return static_cast<CoreStage>(static_cast<uint32_t>(stage) - static_cast<uint32_t>(Stage::kTouch));
 }
