@@ -122,6 +122,14 @@ TEST(Narrow, AgreesWithExactRounding) {
   }
 }
 
+TEST(Narrow, KeepsTheSignWhenItDropsMoreThan32Bits) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 10000; ++i) {
+    const auto raw = static_cast<int64_t>(random()) >> 1;
+    ASSERT_EQ((narrow<Q<4, 27>>(Acc<67>::from_raw(raw)).raw()), rounded(raw, 40));
+  }
+}
+
 TEST(Narrow, SaturatesAtTheLimits) {
   const auto top = Acc<41>::from_raw(int64_t{kMax} << 10);
   EXPECT_EQ(narrow_saturated<Unit>(top), Unit::max());

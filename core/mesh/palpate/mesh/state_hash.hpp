@@ -10,6 +10,7 @@ namespace palpate {
 class StateHash {
  public:
   void add(uint32_t word) { value_ = (value_ ^ word) * kPrime; }
+  void add(uint16_t half) { add(uint32_t{half}); }
   void add(uint64_t words) {
     add(static_cast<uint32_t>(words));
     add(static_cast<uint32_t>(words >> 32));

@@ -172,10 +172,13 @@ template <class To, int F>
 constexpr To narrow(Acc<F> acc) {
   constexpr int kShift = F - To::kFractionBits;
   static_assert(kShift >= 0, "palpate: narrow only drops fraction bits; widen the factors instead");
-  // The shift is a logical one: gcc then sees that only 32 bits are left and multiplies them as such.
   auto rounded = static_cast<uint64_t>(acc.raw());
   if constexpr (kShift > 0) rounded += uint64_t{1} << (kShift - 1);
-  const auto low = static_cast<int32_t>(static_cast<uint32_t>(rounded >> kShift));
+  // Up to 32 a logical shift gives the same bits as an arithmetic one; gcc then sees that only 32 of them are
+  // left and multiplies them as such.
+  const uint64_t shifted =
+      kShift <= 32 ? rounded >> kShift : static_cast<uint64_t>(static_cast<int64_t>(rounded) >> kShift);
+  const auto low = static_cast<int32_t>(static_cast<uint32_t>(shifted));
   check(low == static_cast<int64_t>(rounded) >> kShift, "narrow leaves 32 bits");
   return To::from_raw(low);
 }
