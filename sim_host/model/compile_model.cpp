@@ -98,8 +98,7 @@ firmware::Scene compile_scene(const SceneParameters& scene, const ModelParameter
   firmware::Scene result{};
   result.edges_per_metre = to_fixed<firmware::EdgesPerMetre>(1.0 / parameters.edge_m);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    result.device_origin[static_cast<Eigen::Index>(axis)] =
-        to_fixed<Position>(-scene.body_centre_in_device_m[axis] / parameters.edge_m);
+    result.device_origin[axis] = to_fixed<Position>(-scene.body_centre_in_device_m[axis] / parameters.edge_m);
   }
   int exponent = 0;
   const double mantissa = std::frexp(newtons_per_unit(parameters) * scene.force_scale, &exponent);

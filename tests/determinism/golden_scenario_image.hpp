@@ -8,7 +8,7 @@ namespace palpate::golden {
 
 using Profile = palpate::PALPATE_PROFILE;
 
-/// The bar of 1 x 1 x 3 cubes of 64 mm, E = 500 Pa, nu = 0.49, rho = 10 kg/m3, its low end held. The upper
+/// The bar of 1 x 1 x 3 cubes of 64 mm, E = 500 Pa, nu = 0.49, rho = 20 kg/m3, its low end held. The upper
 /// cube has half the stiffness and half the density. What depends on the mesh:
 struct Discretization {
   uint8_t level;
@@ -17,8 +17,8 @@ struct Discretization {
 };
 
 template <class>
-inline constexpr Discretization kDiscretization = {6, 4, 21};  // 1152 leaves
+inline constexpr Discretization kDiscretization = {6, 4, 20};  // 1152 leaves
 template <>
-inline constexpr Discretization kDiscretization<Small> = {4, 2, 23};  // 288 leaves
+inline constexpr Discretization kDiscretization<Small> = {4, 2, 22};  // 288 leaves
 
 }  // namespace palpate::golden

@@ -111,7 +111,9 @@ TEST(MeshClosure, StaysBoundedAtRandom) {
         const Leaf* other = &forest->leaf[random.below(forest->leaf_count)];
         if (other->level > leaf->level && other->level < 14) leaf = other;
       }
-      if (leaf->level < 14) ASSERT_TRUE(request(*forest, leaf->tet, cost));
+      if (leaf->level < 14) {
+        ASSERT_TRUE(request(*forest, leaf->tet, cost));
+      }
     }
     ASSERT_EQ(check_forest(*forest, block), Violation::kNothing);
   }

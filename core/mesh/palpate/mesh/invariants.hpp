@@ -68,7 +68,7 @@ inline bool shares_face(const Leaf& leaf, uint32_t face, const Leaf& other) {
   uint32_t shared = 0;
   for (const uint32_t i : bounded<4>(4, [] {})) {
     for (const uint32_t j : bounded<4>(4, [] {})) {
-      shared += i != face && leaf.node[i] == other.node[j] ? 1 : 0;
+      shared += i != face && leaf.node[i] == other.node[j] ? 1u : 0u;
     }
   }
   return shared == 3;

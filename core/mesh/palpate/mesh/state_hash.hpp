@@ -9,11 +9,11 @@ namespace palpate {
 
 class StateHash {
  public:
-  void add(uint32_t word) { value_ = (value_ ^ word) * kPrime; }
-  void add(uint16_t half) { add(uint32_t{half}); }
-  void add(uint64_t words) {
-    add(static_cast<uint32_t>(words));
-    add(static_cast<uint32_t>(words >> 32));
+  /// A word for up to 32 bits, two for 64, the low one first.
+  template <class Word, std::enable_if_t<std::is_unsigned_v<Word>, int> = 0>
+  void add(Word word) {
+    add_word(static_cast<uint32_t>(word));
+    if constexpr (sizeof(Word) == sizeof(uint64_t)) add_word(static_cast<uint32_t>(word >> 32));
   }
   template <int I, int F>
   void add(Q<I, F> q) {
@@ -26,6 +26,8 @@ class StateHash {
   [[nodiscard]] uint64_t value() const { return value_; }
 
  private:
+  void add_word(uint32_t word) { value_ = (value_ ^ word) * kPrime; }
+
   static constexpr uint64_t kPrime = 0x100000001b3;
   uint64_t value_ = 0xcbf29ce484222325;
 };

@@ -1,0 +1,114 @@
+#include "output/recorder.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "output/interrupt.hpp"
+#include "output/output_file.hpp"
+#include "output/progress.hpp"
+#include "scenario/errors.hpp"
+
+namespace palpate::sim {
+namespace {
+
+double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+
+/// force.csv: a row a tick.
+class ForceLog {
+ public:
+  ForceLog(const std::filesystem::path& path, bool has_device) : file_(path.string()), has_device_(has_device) {
+    file_.print("tick,time_ms,tool_x_mm,tool_y_mm,tool_z_mm,displacement_x_mm,displacement_y_mm,displacement_z_mm,"
+                "force_x_N,force_y_N,force_z_N,{}flags\n",
+                has_device ? "motor_1_code,motor_2_code,motor_3_code," : "");
+  }
+  void add(const Sample& sample) {
+    file_.print("{},{}", sample.tick, sample.tick);
+    for (const double mm : sample.tool_mm) file_.print(",{:.6f}", mm);
+    for (const double mm : sample.displacement_mm) file_.print(",{:.6f}", mm);
+    for (const double newtons : sample.force_n) file_.print(",{:.9f}", newtons);
+    if (has_device_) {
+      for (const uint16_t code : sample.motor_codes) file_.print(",{}", code);
+    }
+    file_.print(",{}\n", sample.flags);
+  }
+  void close() { file_.close(); }
+
+ private:
+  OutputFile file_;
+  bool has_device_;
+};
+
+/// hash.csv: a row every so many ticks, and one for the last tick.
+class HashLog {
+ public:
+  HashLog(const std::filesystem::path& path, const std::vector<std::string>& names) : file_(path.string()) {
+    file_.print("tick");
+    for (const std::string& name : names) file_.print(",{}", name);
+    file_.print("\n");
+  }
+  void add(uint32_t tick, const std::vector<uint64_t>& hashes) {
+    file_.print("{}", tick);
+    for (const uint64_t hash : hashes) file_.print(",{:016x}", hash);
+    file_.print("\n");
+  }
+  void close() { file_.close(); }
+
+ private:
+  OutputFile file_;
+};
+
+void write_nodes(const BodyShape& shape, const std::filesystem::path& path) {
+  OutputFile file(path.string());
+  file.print("node,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm\n");
+  for (std::size_t i = 0; i < shape.rest_mm.size(); ++i) {
+    const auto& rest = shape.rest_mm[i];
+    const auto& now = shape.now_mm[i];
+    file.print("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", i, rest[0], rest[1], rest[2], now[0], now[1], now[2]);
+  }
+  file.close();
+}
+
+/// The farthest shape, kept when the node went on by more than the encoders' noise.
+void keep_peak(const Simulation& simulation, const Sample& sample, double& farthest_mm, BodyShape& at_peak) {
+  constexpr double kStepMm = 0.1;
+  const double distance = length(sample.displacement_mm);
+  if (distance < farthest_mm + kStepMm) return;
+  farthest_mm = distance;
+  at_peak = simulation.shape();
+}
+
+}  // namespace
+
+Recording record(Simulation& simulation, const Scenario& scenario, const RunFolder& folder) {
+  Recording recording;
+  recording.at_peak = simulation.shape();
+  ForceLog forces(folder.file("force.csv"), simulation.has_device());
+  HashLog hashes(folder.file("hash.csv"), simulation.hash_names());
+  Progress progress(simulation.expected_ticks());
+  const auto start = std::chrono::steady_clock::now();
+  double farthest_mm = 0.0;
+  for (bool goes_on = true; goes_on;) {
+    goes_on = simulation.advance();
+    const Sample sample = simulation.sample();
+    forces.add(sample);
+    if (!goes_on || sample.tick % static_cast<uint32_t>(scenario.hash_every) == 0) {
+      hashes.add(sample.tick, simulation.hashes());
+    }
+    recording.peak_force_n = std::max(recording.peak_force_n, length(sample.force_n));
+    recording.all_flags |= sample.flags;
+    recording.tool_path_mm.push_back(sample.tool_mm);
+    keep_peak(simulation, sample, farthest_mm, recording.at_peak);
+    recording.last = sample;
+    progress.show(sample.tick);
+    if (is_interrupted()) throw Interrupted();
+  }
+  recording.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  recording.state_hash = simulation.hashes().back();
+  forces.close();
+  hashes.close();
+  write_nodes(simulation.shape(), folder.file("nodes.csv"));
+  return recording;
+}
+
+}  // namespace palpate::sim

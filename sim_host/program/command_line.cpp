@@ -1,0 +1,155 @@
+#include "program/command_line.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <deque>
+
+#include "program/commands.hpp"
+#include "scenario/parameter_table.hpp"
+
+namespace palpate::sim {
+namespace {
+
+std::string flag_of(const std::string& key) {
+  std::string flag = "--" + key;
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return flag;
+}
+
+/// A command that takes a scenario and its parameters as flags.
+class ScenarioCommand {
+ public:
+  ScenarioCommand(CLI::App& app, const char* name, const char* meaning, unsigned kinds, bool records,
+                  const char* example)
+      : command_(app.add_subcommand(name, meaning)), kinds_(kinds) {
+    command_->allow_extras();
+    command_->footer(fmt::format("A flag is a key of the .toml file, with dashes for underscores.\nExample: {}", example));
+    command_->add_option("scenario", name_, fmt::format("one of {}, or a path that ends in .toml", names()))
+        ->option_text(" ")
+        ->required();
+    for (const Parameter& parameter : parameter_table()) {
+      if ((parameter.kinds & kinds) != 0 && (records || !parameter.is_output)) add_flag(parameter);
+    }
+  }
+
+  [[nodiscard]] CLI::App* app() const { return command_; }
+
+  [[nodiscard]] Scenario scenario() const {
+    Scenario scenario = load_scenario(name_);
+    for (const Flag& flag : flags_) {
+      if (flag.option->count() == 0) continue;
+      if ((flag.parameter->kinds & kind_bit(scenario.kind)) == 0) {
+        throw BadInput(fmt::format("{} has no {}", kind_name(scenario.kind), flag_of(flag.parameter->key)));
+      }
+      set_parameter(scenario, *flag.parameter, flag.text, "");
+    }
+    return scenario;
+  }
+
+ private:
+  struct Flag {
+    const Parameter* parameter;
+    std::string text;
+    CLI::Option* option;
+  };
+
+  /// Built-in scenarios that this command can run.
+  [[nodiscard]] std::string names() const {
+    std::vector<std::string> fitting;
+    for (const std::string& name : scenario_names()) {
+      if ((kind_bit(built_in_scenario(name).kind) & kinds_) != 0) fitting.push_back(name);
+    }
+    return fmt::format("{}", fmt::join(fitting, ", "));
+  }
+
+  void add_flag(const Parameter& parameter) {
+    Flag& flag = flags_.emplace_back(Flag{&parameter, "", nullptr});
+    std::string spelling = flag_of(parameter.key);
+    if (!parameter.alias.empty()) spelling += "," + flag_of(parameter.alias);
+    const std::string meaning = fmt::format("{}; {}; default {}", parameter.meaning, describe_range(parameter),
+                                            describe_default(parameter));
+    flag.option = command_->add_option(spelling, flag.text, meaning)->option_text(parameter.unit);
+  }
+
+  CLI::App* command_;
+  unsigned kinds_;
+  std::string name_;
+  std::deque<Flag> flags_;  // options point into it
+};
+
+void refuse_extras(const CLI::App& command) {
+  const auto extras = command.remaining();
+  if (extras.empty()) return;
+  std::vector<std::string> flags;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->nonpositional()) flags.push_back(option->get_name());
+  }
+  throw BadInput(fmt::format("{} does not take '{}'; it takes {}", command.get_name(), extras[0], fmt::join(flags, ", ")));
+}
+
+/// Everything but help and version, which CLI11 answers itself.
+void parse(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success&) {
+    throw;
+  } catch (const CLI::ParseError& error) {
+    std::string line = error.what();
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    throw BadInput(line + "; see palpate --help");
+  }
+}
+
+int dispatch(CLI::App& app, int argc, const char* const* argv) {
+  app.set_version_flag("--version", "palpate " PALPATE_VERSION, "print the version");
+  app.set_help_flag("--help", "print this help");
+  app.footer("Example: palpate hil grasp --out out/grasp\n"
+             "Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 the environment.");
+  app.allow_extras();
+  app.get_formatter()->column_width(38);
+  const ScenarioCommand run(app, "run", "move the tool directly, without a device", kToolKinds, true,
+                            "palpate run cuboid-sine --slow 2 --out out/sine");
+  const ScenarioCommand hil(app, "hil", "the firmware's cycle, fed with the encoder counts of a PHANToM", kDeviceKinds,
+                            true, "palpate hil grasp --force-scale 20 --out out/grasp");
+  ScenarioCommand model(app, "model", "describe a scenario's model, or write it for the firmware", kAllKinds, false,
+                        "palpate model grasp --firmware-image scenario_image.cpp");
+  std::string image;
+  model.app()->add_option("--firmware-image", image, "write the model and the script as C++ for the firmware")
+      ->option_text("FILE");
+  CLI::App* compare = app.add_subcommand("compare", "whether two runs have the same bits; if not, where they part");
+  std::string first;
+  std::string second;
+  compare->add_option("A", first, "run folder, or a folder with the console.csv of a target")->required();
+  compare->add_option("B", second, "the other one")->required();
+  compare->footer("Example: palpate compare out/demo/host out/demo/target");
+  compare->allow_extras();
+
+  parse(app, argc, argv);
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty()) {
+    const auto extras = app.remaining();
+    throw BadInput(fmt::format("{}; the commands are compare, hil, model and run, see palpate --help",
+                               extras.empty() ? "no command is given" : fmt::format("there is no command '{}'", extras[0])));
+  }
+  refuse_extras(*chosen[0]);
+  if (chosen[0] == run.app()) return run_scenario(run.scenario(), "run");
+  if (chosen[0] == hil.app()) return run_scenario(hil.scenario(), "hil");
+  if (chosen[0] == compare) return compare_runs(first, second);
+  return describe_model(model.scenario(), image);
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+  CLI::App app("Soft tissue inside a haptic controller", "palpate");
+  try {
+    return dispatch(app, argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  }
+}
+
+}  // namespace palpate::sim

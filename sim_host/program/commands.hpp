@@ -1,0 +1,17 @@
+// What the program does once its command line is read. Each returns the exit code 0 or 1.
+#pragma once
+
+#include <string>
+
+#include "scenario/scenario.hpp"
+
+namespace palpate::sim {
+
+/// `run` and `hil`: records a scenario into a run folder.
+int run_scenario(Scenario scenario, const std::string& command);
+/// `model`: prints what a scenario's model is, or writes it as C++ for the firmware when a path is given.
+int describe_model(Scenario scenario, const std::string& firmware_image_path);
+/// `compare`.
+int compare_runs(const std::string& first, const std::string& second);
+
+}  // namespace palpate::sim

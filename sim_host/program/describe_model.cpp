@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include "output/output_file.hpp"
+#include "program/commands.hpp"
+#include "program/firmware_image.hpp"
+#include "simulation/capacity.hpp"
+#include "stability.hpp"
+
+namespace palpate::sim {
+namespace {
+
+void print_model(const Scenario& scenario, const Fit& fit) {
+  const ModelParameters& model = scenario.model;
+  fmt::print("{}: {} x {} x {} cubes of {:g} mm, level {}\n", scenario.name, model.cubes[0], model.cubes[1],
+             model.cubes[2], model.edge_m * 1e3, model.level);
+  fmt::print("  leaves         {}\n", fit.tets);
+  fmt::print("  nodes          {}\n", fit.nodes);
+  for (const RegionParameters& region : model.regions) {
+    fmt::print("  material       E {:g} Pa, nu {:g}, rho {:g} kg/m3\n", region.youngs_modulus_pa, region.poisson_ratio,
+               region.density_kg_m3);
+  }
+  fmt::print("  critical step  {:.3f} ms\n", critical_step_s(model) * 1e3);
+  fmt::print("  substeps       {} needed, {} chosen\n", needed_substeps(model), model.substeps);
+  fmt::print("  state          {:.1f} KiB in profile {} ({:.1f} KiB with the device)\n",
+             static_cast<double>(fit.state_bytes) / 1024.0, scenario.profile,
+             static_cast<double>(fit.cycle_state_bytes) / 1024.0);
+}
+
+}  // namespace
+
+int describe_model(Scenario scenario, const std::string& firmware_image_path) {
+  complete_scenario(scenario);
+  const Fit fit = fit_to_profile(scenario);
+  if (firmware_image_path.empty()) {
+    print_model(scenario, fit);
+  } else {
+    write_whole_file(firmware_image_path, firmware_image_source(scenario));
+  }
+  return 0;
+}
+
+}  // namespace palpate::sim

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include "output/plots.hpp"
+#include "output/recorder.hpp"
+#include "program/commands.hpp"
+#include "simulation/capacity.hpp"
+
+namespace palpate::sim {
+namespace {
+
+bool has_device(const std::string& command) { return command == "hil"; }
+
+void require_kind(const Scenario& scenario, const std::string& command) {
+  const bool needs_device = scenario.kind == ScenarioKind::kGrasp;
+  if (needs_device == has_device(command)) return;
+  throw BadInput(needs_device
+                     ? fmt::format("'{}' needs the device: use palpate hil {}", scenario.name, scenario.name)
+                     : fmt::format("'{}' has no device: use palpate run {}", scenario.name, scenario.name));
+}
+
+void print_result(const Recording& recording, const Simulation& simulation, const Scenario& scenario) {
+  const Totals totals = simulation.totals();
+  fmt::print("{}: {} ticks in {:.1f} s ({:.2f} ms a tick)\n", scenario.name, recording.last.tick, recording.duration_s,
+             recording.duration_s * 1e3 / recording.last.tick);
+  fmt::print("  profile     {}, level {}, {} substeps\n", scenario.profile, scenario.model.level,
+             scenario.model.substeps);
+  fmt::print("  tets        {} ({} nodes, {} rotation tets)\n", totals.tets, totals.nodes, totals.rotation_tets);
+  fmt::print("  peak force  {:.3f} mN\n", recording.peak_force_n * 1e3);
+  fmt::print("  clamps      speed {}, position {}, strain {}\n", totals.clamps.speed, totals.clamps.position,
+             totals.clamps.strain);
+  fmt::print("  state hash  {:016x}\n", recording.state_hash);
+  fmt::print("  written to  {}\n", scenario.out);
+}
+
+}  // namespace
+
+int run_scenario(Scenario scenario, const std::string& command) {
+  require_kind(scenario, command);
+  complete_scenario(scenario);
+  fit_to_profile(scenario);
+  const auto simulation = has_device(command) ? make_device_simulation(scenario) : make_tool_simulation(scenario);
+  if (scenario.out.empty()) scenario.out = fmt::format("out/{}/{}", command, scenario.name);
+  if (scenario.plots) require_gnuplot();
+  RunFolder folder(scenario.out);
+  const Recording recording = record(*simulation, scenario, folder);
+  write_summary(recording, *simulation, scenario, folder.file("summary.json"));
+  if (scenario.plots) draw_plots(recording, simulation->has_device(), folder);
+  folder.commit();
+  print_result(recording, *simulation, scenario);
+  const auto failure = simulation->failure();
+  if (failure) fmt::print(stderr, "palpate: {}\n", *failure);
+  return failure ? 1 : 0;
+}
+
+}  // namespace palpate::sim

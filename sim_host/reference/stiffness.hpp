@@ -1,0 +1,55 @@
+// Sparse stiffness over the coordinates of the nodes that are free to move.
+#pragma once
+
+#include <Eigen/Sparse>
+#include <vector>
+
+#include "reference/corotation.hpp"
+
+namespace palpate::reference {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// Numbers the coordinates of free nodes 0 .. coordinates() - 1.
+class FreeNodes {
+ public:
+  explicit FreeNodes(const std::vector<bool>& fixed) : first_(fixed.size(), kFixed) {
+    for (uint32_t node = 0; node < fixed.size(); ++node) {
+      if (fixed[node]) continue;
+      first_[node] = coordinates_;
+      coordinates_ += 3;
+    }
+  }
+  [[nodiscard]] bool is_free(uint32_t node) const { return first_[node] != kFixed; }
+  [[nodiscard]] Eigen::Index first_coordinate(uint32_t node) const { return first_[node]; }
+  [[nodiscard]] Eigen::Index coordinates() const { return coordinates_; }
+
+ private:
+  static constexpr Eigen::Index kFixed = -1;
+  std::vector<Eigen::Index> first_;
+  Eigen::Index coordinates_ = 0;
+};
+
+/// - d f / d x at x, N/m.
+inline SparseMatrix assemble_stiffness(const std::vector<Element>& elements, const std::vector<Material>& materials,
+                                       const Positions& x, const FreeNodes& free, Tangent kind) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(elements.size() * 144);
+  for (const Element& element : elements) {
+    const ElementTangent k =
+        tangent_of(element, deformation_gradient(element, x), materials[element.region], kind);
+    for (uint32_t a = 0; a < 12; ++a) {
+      for (uint32_t b = 0; b < 12; ++b) {
+        const uint32_t row = element.node[a / 3];
+        const uint32_t column = element.node[b / 3];
+        if (!free.is_free(row) || !free.is_free(column)) continue;
+        entries.emplace_back(free.first_coordinate(row) + a % 3, free.first_coordinate(column) + b % 3, k(a, b));
+      }
+    }
+  }
+  SparseMatrix stiffness(free.coordinates(), free.coordinates());
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  return stiffness;
+}
+
+}  // namespace palpate::reference

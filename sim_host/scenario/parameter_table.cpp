@@ -1,0 +1,180 @@
+#include "scenario/parameter_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "palpate/solve/dynamics.hpp"
+
+namespace palpate::sim {
+namespace {
+
+constexpr unsigned kSine = kind_bit(ScenarioKind::kSine);
+constexpr unsigned kBend = kind_bit(ScenarioKind::kBend);
+constexpr double kManyTicks = 1e8;
+
+/// Its index in Access is that of its type.
+template <class Member>
+Parameter make(const char* key, const char* unit, double low, double high, const char* meaning, Member access,
+               unsigned kinds = kAllKinds) {
+  return Parameter{key, "", unit, meaning, low, high, {}, "", kinds, false, access};
+}
+
+Parameter with_default(Parameter parameter, const char* text) {
+  parameter.default_text = text;
+  return parameter;
+}
+
+Parameter with_alias(Parameter parameter, const char* alias) {
+  parameter.alias = alias;
+  return parameter;
+}
+
+Parameter output(Parameter parameter) {
+  parameter.is_output = true;
+  return parameter;
+}
+
+Parameter choice(const char* key, std::vector<std::string> choices, const char* meaning, Field<std::string> access) {
+  Parameter parameter = make(key, "", 0, 0, meaning, access);
+  parameter.choices = std::move(choices);
+  return parameter;
+}
+
+#define PALPATE_FIELD(type, member) Field<type>([](Scenario& s) -> type& { return s.member; })
+using Triple = std::array<double, 3>;
+using WholeTriple = std::array<int, 3>;
+
+std::vector<Parameter> body_parameters() {
+  return {
+      make("youngs_modulus_pa", "Pa", 100, 1e6, "Young's modulus", &RegionParameters::youngs_modulus_pa),
+      make("poisson_ratio", "", 0, 0.495, "Poisson ratio", &RegionParameters::poisson_ratio),
+      make("density_kg_m3", "kg/m3", 10, 2000, "density", &RegionParameters::density_kg_m3),
+      make("cubes", "cubes", 1, kMaxCubesPerAxis, "size of the block along x, y, z",
+           PALPATE_FIELD(WholeTriple, model.cubes)),
+      make("region_of_cube", "", -1, kRegions - 1, "[[region]] of each cube, x fastest; -1 leaves a cube out",
+           PALPATE_FIELD(std::vector<int>, model.region_of_cube)),
+      make("edge_m", "m", 0.016, 0.128, "edge of a cube", PALPATE_FIELD(double, model.edge_m)),
+      with_default(make("level", "", 0, kDeepestLevel, "subdivision level of the uniform mesh",
+                        PALPATE_FIELD(int, model.level)),
+                   "the deepest up to 6 that the profile holds"),
+      make("substeps", "", 1, kMaxSubsteps, "integration steps a tick", PALPATE_FIELD(int, model.substeps)),
+      make("mass_damping_per_s", "1/s", 0, 30, "mass-proportional damping",
+           PALPATE_FIELD(double, model.mass_damping_per_s)),
+      make("stiffness_damping_s", "s", 0, 1e-3, "stiffness-proportional damping",
+           PALPATE_FIELD(double, model.stiffness_damping_s)),
+      choice("hold", {"one", "both", "none"}, "held end faces of the longest axis", PALPATE_FIELD(std::string, hold)),
+      make("grasp_reach_m", "m", 0, 0.5, "how far from a node a grasp still takes it",
+           PALPATE_FIELD(double, model.grasp_reach_m)),
+  };
+}
+
+std::vector<Parameter> motion_parameters() {
+  Parameter node = make("node_mm", "mm", -1000, 1000, "rest position of the driven node",
+                        PALPATE_FIELD(Triple, node_mm), kSine | kDeviceKinds);
+  return {
+      with_default(with_alias(node, "node"), "a corner of the free end; the middle of a side if both ends are held"),
+      make("amplitude_mm", "mm", 0, 200, "amplitude of the node's motion", PALPATE_FIELD(double, sine.amplitude_mm),
+           kSine),
+      make("slow", "", 1, 1000, "stretches the motion in time", PALPATE_FIELD(int, sine.slow), kSine),
+      with_alias(make("angle_deg", "deg", 0, 180, "angle of the arc", PALPATE_FIELD(double, bend.angle_deg), kBend),
+                 "angle"),
+      make("settle_damping_per_s", "1/s", 0, 30, "mass-proportional damping while the bent bar comes to rest",
+           PALPATE_FIELD(double, bend.settle_damping_per_s), kBend),
+      make("drag_mm", "mm", -80, 80, "how far the tool drags the grasped corner along y",
+           PALPATE_FIELD(double, grasp.drag_mm), kDeviceKinds),
+      make("force_scale", "", 0.01, 1000, "force on the handle over force of the tissue",
+           PALPATE_FIELD(double, grasp.scene.force_scale), kDeviceKinds),
+      make("body_centre_in_device_m", "m", -0.512, 0.512, "where the body's centre is in the device's frame",
+           PALPATE_FIELD(Triple, grasp.scene.body_centre_in_device_m), kDeviceKinds),
+      with_default(make("ticks", "ms", 0, kManyTicks, "ticks to run at most; 0: all", PALPATE_FIELD(int, ticks)),
+                   "0: two periods, until at rest, the whole script"),
+      choice("profile", {"cuboid-paper", "cuboid-dense", "organ", "small", "workstation"},
+             "capacities to run with", PALPATE_FIELD(std::string, profile)),
+  };
+}
+
+std::vector<Parameter> output_parameters() {
+  Parameter board = output(choice("board", {"host"}, "where the cycle runs", PALPATE_FIELD(std::string, board)));
+  board.kinds = kDeviceKinds;
+  return {
+      board,
+      output(make("hash_every", "ticks", 1, kManyTicks, "ticks between two rows of hash.csv",
+                  PALPATE_FIELD(int, hash_every))),
+      output(with_default(make("out", "folder", 0, 0, "run folder to write", PALPATE_FIELD(std::string, out)),
+                          "out/<command>/<scenario>")),
+      output(make("plots", "", 0, 1, "draw pictures with gnuplot", PALPATE_FIELD(bool, plots))),
+  };
+}
+
+#undef PALPATE_FIELD
+
+std::vector<Parameter> all_parameters() {
+  std::vector<Parameter> all = body_parameters();
+  for (auto part : {motion_parameters(), output_parameters()}) {
+    std::move(part.begin(), part.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Parameter>& parameter_table() {
+  static const std::vector<Parameter> kTable = all_parameters();
+  return kTable;
+}
+
+const Parameter* find_parameter(const std::string& key) {
+  for (const Parameter& parameter : parameter_table()) {
+    if (key == parameter.key || (!parameter.alias.empty() && key == parameter.alias)) return &parameter;
+  }
+  return nullptr;
+}
+
+std::string list_keys(unsigned kinds) {
+  std::vector<std::string> keys;
+  for (const Parameter& parameter : parameter_table()) {
+    if ((parameter.kinds & kinds) != 0) keys.push_back(parameter.key);
+  }
+  return fmt::format("{}", fmt::join(keys, ", "));
+}
+
+nlohmann::json parameter_value(const Parameter& parameter, const Scenario& scenario) {
+  Scenario copy = scenario;  // Access is for writing
+  return std::visit(
+      [&](auto access) -> nlohmann::json {
+        if constexpr (std::is_same_v<decltype(access), double RegionParameters::*>) {
+          return copy.model.regions[0].*access;
+        } else {
+          return access(copy);
+        }
+      },
+      parameter.access);
+}
+
+std::string describe_range(const Parameter& parameter) {
+  if (!parameter.choices.empty()) return fmt::format("{}", fmt::join(parameter.choices, ", "));
+  if (std::holds_alternative<Field<bool>>(parameter.access)) return "on, off";
+  if (std::holds_alternative<Field<std::string>>(parameter.access)) return "text";
+  const std::string range = fmt::format("{:g} .. {:g}", parameter.low, parameter.high);
+  if (std::holds_alternative<Field<Triple>>(parameter.access)) return "three numbers, " + range;
+  if (std::holds_alternative<Field<WholeTriple>>(parameter.access)) return "three whole numbers, " + range;
+  if (std::holds_alternative<Field<std::vector<int>>>(parameter.access)) return "a whole number a cube, " + range;
+  return range;
+}
+
+std::string describe_default(const Parameter& parameter) {
+  if (!parameter.default_text.empty()) return parameter.default_text;
+  const nlohmann::json value = parameter_value(parameter, Scenario{});
+  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_array()) {
+    std::vector<std::string> items;
+    for (const auto& item : value) items.push_back(item.dump());
+    return items.empty() ? "all 0" : fmt::format("{}", fmt::join(items, ","));
+  }
+  return fmt::format("{:g}", value.get<double>());
+}
+
+}  // namespace palpate::sim

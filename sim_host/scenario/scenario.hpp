@@ -1,0 +1,63 @@
+// A scenario: a body, who moves it and how, and what is recorded. It starts as one of the built-in ones; a .toml file
+// and then command-line flags change its parameters (parameter_table.hpp).
+#pragma once
+
+#include "model_parameters.hpp"
+
+namespace palpate::sim {
+
+enum class ScenarioKind : uint8_t { kSine, kBend, kGrasp };
+
+/// cuboid-sine: a node follows u = (0, A sin(0.072 k / slow deg), 0), k the tick.
+struct SineParameters {
+  double amplitude_mm = 50.0;
+  int slow = 1;
+};
+
+/// cuboid-bend: one end turned until the bar's centre line is a circular arc, then rest.
+struct BendParameters {
+  double angle_deg = 90.0;
+  double settle_damping_per_s = 30.0;
+};
+
+/// grasp: a PHANToM takes a corner of the free end and drags it sideways.
+struct GraspParameters {
+  double drag_mm = 50.0;
+  SceneParameters scene;
+};
+
+struct Scenario {
+  static constexpr int kAutomaticLevel = -1;
+  static constexpr int kAllTicks = 0;
+
+  std::string name;
+  ScenarioKind kind = ScenarioKind::kGrasp;
+  std::string profile = "cuboid-paper";
+  std::string board = "host";
+  std::string hold = "one";
+  ModelParameters model;
+  SineParameters sine;
+  BendParameters bend;
+  GraspParameters grasp;
+  std::array<double, 3> node_mm{};  // at rest, of the node that is driven, grasped or watched
+  bool node_given = false;
+  int ticks = kAllTicks;
+  int hash_every = 100;
+  std::string out;
+  bool plots = true;
+};
+
+/// Built-in names, in order.
+const std::vector<std::string>& scenario_names();
+const char* kind_name(ScenarioKind kind);
+
+/// A built-in scenario. Throws BadInput for an unknown name.
+Scenario built_in_scenario(const std::string& name);
+
+/// A built-in scenario, or one from a file (an argument that ends in .toml).
+Scenario load_scenario(const std::string& name_or_path);
+
+/// After all parameters are set: derives what follows from them and refuses contradictions.
+void complete_scenario(Scenario& scenario);
+
+}  // namespace palpate::sim

@@ -1,0 +1,72 @@
+// What can be read off a body in any profile, in millimetres and newtons.
+#pragma once
+
+#include <fmt/format.h>
+
+#include "palpate/tick/tick.hpp"
+#include "simulation/simulation.hpp"
+#include "units.hpp"
+
+namespace palpate::sim {
+
+template <class Profile>
+void require_started(Status status) {
+  if (status == Status::kDone) return;
+  throw BadInput(fmt::format("the model does not fit profile {}: take a lower level or a larger profile", Profile::kName));
+}
+
+template <class Profile>
+Totals read_totals(const State<Profile>& state) {
+  return Totals{state.forest.leaf_count, state.forest.nodes.used(), state.groups.count, state.clamps};
+}
+
+/// The live node nearest to a rest position; BadInput when that is farther than the model's grasp reach.
+template <class Profile>
+uint16_t find_node(const State<Profile>& state, const Scenario& scenario, const std::array<double, 3>& mm) {
+  const uint16_t node = nearest_node(state.forest, from_mm(mm, scenario.model), state.model.grasp_reach);
+  if (node != kNone) return node;
+  const auto& cubes = scenario.model.cubes;
+  const double edge_mm = scenario.model.edge_m * 1e3;
+  throw BadInput(fmt::format("no node is within {:g} mm of ({:g}, {:g}, {:g}) mm; the block fills (0, 0, 0) to ({:g}, "
+                             "{:g}, {:g}) mm",
+                             scenario.model.grasp_reach_m * 1e3, mm[0], mm[1], mm[2], cubes[0] * edge_mm,
+                             cubes[1] * edge_mm, cubes[2] * edge_mm));
+}
+
+template <class Profile>
+std::array<double, 3> displacement_mm(const State<Profile>& state, uint16_t node, double edge_m) {
+  const auto now = to_doubles(state.forest.node.position[node]);
+  const auto rest = to_doubles(rest_position(state.forest.node.rest[node]));
+  std::array<double, 3> mm{};
+  for (std::size_t axis = 0; axis < 3; ++axis) mm[axis] = (now[axis] - rest[axis]) * edge_m * 1e3;
+  return mm;
+}
+
+template <class Profile>
+BodyShape read_shape(const State<Profile>& state, const ModelParameters& model) {
+  const auto& forest = state.forest;
+  BodyShape shape;
+  std::array<uint32_t, Profile::kNodes> place{};
+  for (uint32_t i = 0; i < forest.nodes.used(); ++i) {
+    const uint16_t node = forest.nodes.live(i);
+    place[node] = i;
+    shape.rest_mm.push_back(to_mm(rest_position(forest.node.rest[node]), model));
+    shape.now_mm.push_back(to_mm(forest.node.position[node], model));
+  }
+  for (uint32_t i = 0; i < forest.leaf_count; ++i) {
+    const Leaf& leaf = forest.leaf[i];
+    for (std::size_t face = 0; face < 4; ++face) {
+      if (leaf.neighbour[face] != kNone) continue;
+      const auto at = [&](std::size_t k) { return place[leaf.node[(face + k) % 4]]; };
+      shape.triangles.push_back({at(1), at(2), at(3)});
+    }
+  }
+  return shape;
+}
+
+inline std::array<double, 3> scaled(std::array<double, 3> v, double factor) {
+  for (double& component : v) component *= factor;
+  return v;
+}
+
+}  // namespace palpate::sim

@@ -1,0 +1,164 @@
+// The scenarios in which the tool or the held ends are moved directly, without a device.
+#include "palpate/tick/hash.hpp"
+#include "simulation/arc.hpp"
+#include "simulation/body_reading.hpp"
+#include "simulation/rest_detector.hpp"
+#include "simulation/with_profile.hpp"
+
+namespace palpate::sim {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+HoldMotions still_holds() { return {RigidMotion::identity(), RigidMotion::identity()}; }
+
+template <class Profile>
+class ToolSimulation : public Simulation {
+ public:
+  explicit ToolSimulation(const Scenario& scenario) : scenario_(scenario), state_(std::make_unique<State<Profile>>()) {
+    require_started<Profile>(start(*state_, compile_model(scenario.model)));
+    input_ = TickInput{zero_vector<Position>(), false, still_holds()};
+    watched_ = find_node(*state_, scenario_, scenario_.node_mm);
+  }
+
+  [[nodiscard]] Sample sample() const override {
+    const ModelParameters& model = scenario_.model;
+    return Sample{state_->tick,
+                  to_mm(input_.tool, model),
+                  displacement_mm(*state_, watched_, model.edge_m),
+                  scaled(force_in_units(), newtons_per_unit(model)),
+                  {},
+                  output_.flags};
+  }
+  [[nodiscard]] bool has_device() const override { return false; }
+  [[nodiscard]] Totals totals() const override { return read_totals(*state_); }
+  [[nodiscard]] BodyShape shape() const override { return read_shape(*state_, scenario_.model); }
+
+  [[nodiscard]] std::vector<std::string> hash_names() const override {
+    std::vector<std::string> names;
+    for (uint32_t i = 0; i < kCoreStages; ++i) names.emplace_back(stage_name(static_cast<CoreStage>(i)));
+    names.emplace_back("state");
+    return names;
+  }
+  [[nodiscard]] std::vector<uint64_t> hashes() const override {
+    std::vector<uint64_t> values;
+    for (uint32_t i = 0; i < kCoreStages; ++i) {
+      values.push_back(stage_hash(*state_, output_, static_cast<CoreStage>(i)));
+    }
+    values.push_back(state_hash(*state_, output_));
+    return values;
+  }
+
+ protected:
+  [[nodiscard]] virtual std::array<double, 3> force_in_units() const { return to_doubles(output_.reaction); }
+  [[nodiscard]] const Scenario& scenario() const { return scenario_; }
+  [[nodiscard]] State<Profile>& state() { return *state_; }
+  [[nodiscard]] const State<Profile>& state() const { return *state_; }
+  [[nodiscard]] uint16_t watched() const { return watched_; }
+
+  void tick_with(const TickInput& input) {
+    input_ = input;
+    NoProbe probe;
+    tick(*state_, input_, output_, probe);
+  }
+  [[nodiscard]] uint32_t ticks_or(uint32_t all) const {
+    return scenario_.ticks == Scenario::kAllTicks ? all : static_cast<uint32_t>(scenario_.ticks);
+  }
+
+ private:
+  Scenario scenario_;
+  std::unique_ptr<State<Profile>> state_;
+  TickInput input_;
+  TickOutput output_{zero_vector<Force>(), 0};
+  uint16_t watched_;
+};
+
+template <class Profile>
+class SineSimulation final : public ToolSimulation<Profile> {
+ public:
+  explicit SineSimulation(const Scenario& scenario) : ToolSimulation<Profile>(scenario) {
+    if (this->state().solve.control[this->watched()] != NodeControl::kFree) {
+      throw BadInput("the driven node is on a held face: choose another node_mm or hold");
+    }
+  }
+
+  bool advance() override {
+    const SineParameters& sine = this->scenario().sine;
+    const uint32_t k = this->state().tick;
+    const double degrees = 0.072 * k / sine.slow;
+    const double u_mm = sine.amplitude_mm * std::sin(degrees * kPi / 180.0);
+    TickInput input{rest_position(this->state().forest.node.rest[this->watched()]), true, still_holds()};
+    // k = 0 is at rest, so the grasp closes without an offset.
+    input.tool[1] += to_fixed<Position>(u_mm * 1e-3 / this->scenario().model.edge_m);
+    this->tick_with(input);
+    return this->state().tick < expected_ticks();
+  }
+  [[nodiscard]] uint32_t expected_ticks() const override {
+    constexpr uint32_t kTwoPeriods = 10000;
+    return this->ticks_or(kTwoPeriods * static_cast<uint32_t>(this->scenario().sine.slow));
+  }
+};
+
+template <class Profile>
+class BendSimulation final : public ToolSimulation<Profile> {
+ public:
+  explicit BendSimulation(const Scenario& scenario)
+      : ToolSimulation<Profile>(scenario), rest_(limits_in_units(scenario.model)) {
+    ModelParameters settling = scenario.model;
+    settling.mass_damping_per_s = scenario.bend.settle_damping_per_s;
+    settle_ = compile_model(settling).dynamics;
+  }
+
+  bool advance() override {
+    State<Profile>& state = this->state();
+    if (state.tick == kTurnTicks) state.model.dynamics = settle_;
+    TickInput input{zero_vector<Position>(), false, still_holds()};
+    input.hold_motion[1] = end_motion(this->scenario(), std::min(1.0, (state.tick + 1.0) / kTurnTicks));
+    this->tick_with(input);
+    if (state.tick > kTurnTicks) rest_.look(state.forest, state.solve);
+    return !rest_.is_at_rest() && state.tick < expected_ticks();
+  }
+  [[nodiscard]] uint32_t expected_ticks() const override { return this->ticks_or(kMostTicks); }
+  [[nodiscard]] std::optional<std::string> failure() const override {
+    if (rest_.is_at_rest()) return std::nullopt;
+    return fmt::format("the bar did not come to rest within {} ticks; allow more ticks or more settle_damping_per_s",
+                       expected_ticks());
+  }
+
+ private:
+  static constexpr uint32_t kTurnTicks = 2000;
+  static constexpr uint32_t kMostTicks = 30000;
+
+  static RestLimits limits_in_units(const ModelParameters& model) {
+    constexpr double kStillM = 0.1e-6;
+    constexpr double kBalancedN = 0.005e-3;
+    return RestLimits{kStillM / model.edge_m, kBalancedN / newtons_per_unit(model)};
+  }
+
+  /// Of the tissue on the turned end.
+  [[nodiscard]] std::array<double, 3> force_in_units() const override {
+    const State<Profile>& state = this->state();
+    std::array<double, 3> sum{};
+    for (uint32_t i = 0; i < state.forest.nodes.used(); ++i) {
+      const uint16_t node = state.forest.nodes.live(i);
+      if (state.solve.control[node] != NodeControl::kHeldBySecond) continue;
+      const auto force = to_doubles(state.forest.node.force[node]);
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += force[axis];
+    }
+    return sum;
+  }
+
+  Dynamics settle_;
+  RestDetector<Profile> rest_;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> make_tool_simulation(const Scenario& scenario) {
+  return with_profile(scenario.profile, [&](auto profile) -> std::unique_ptr<Simulation> {
+    using Profile = decltype(profile);
+    if (scenario.kind == ScenarioKind::kBend) return std::make_unique<BendSimulation<Profile>>(scenario);
+    return std::make_unique<SineSimulation<Profile>>(scenario);
+  });
+}
+
+}  // namespace palpate::sim

@@ -1,0 +1,21 @@
+// From a profile's name to its type.
+#pragma once
+
+#include "model_parameters.hpp"
+#include "palpate/tick/profiles.hpp"
+
+namespace palpate::sim {
+
+/// Calls use(Profile{}) with the profile of this name. Throws BadInput for an unknown one.
+template <class Use>
+auto with_profile(const std::string& name, Use&& use) {
+  if (name == CuboidPaper::kName) return use(CuboidPaper{});
+  if (name == CuboidDense::kName) return use(CuboidDense{});
+  if (name == Organ::kName) return use(Organ{});
+  if (name == Small::kName) return use(Small{});
+  if (name == Workstation::kName) return use(Workstation{});
+  throw BadInput("no profile is called '" + name +
+                 "'; choose cuboid-paper, cuboid-dense, organ, small or workstation");
+}
+
+}  // namespace palpate::sim

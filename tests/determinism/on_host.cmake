@@ -1,0 +1,117 @@
+# palpate_hash_run(<target> <profile> [<compiler option>...]): compiles the core anew with these options.
+set(parts palpate_core_numeric palpate_core_elastic palpate_hal_phantom)
+set(core_sources)
+foreach(part IN LISTS parts)
+  get_target_property(part_sources ${part} SOURCES)
+  list(APPEND core_sources ${part_sources})
+endforeach()
+set(roots $<TARGET_PROPERTY:palpate_firmware_cycle,INTERFACE_INCLUDE_DIRECTORIES>)
+
+function(palpate_hash_run target profile)
+  add_executable(${target} hash_run.cpp ${image} ${core_sources})
+  target_include_directories(${target} PRIVATE ${roots})
+  target_link_libraries(${target} PRIVATE palpate_options Eigen3::Eigen)
+  target_compile_definitions(${target} PRIVATE PALPATE_PROFILE=${profile})
+  target_compile_options(${target} PRIVATE ${ARGN})
+  target_link_options(${target} PRIVATE ${ARGN})
+endfunction()
+
+# palpate_golden_test(<name> <profile> <ticks, or all> <program>)
+function(palpate_golden_test name profile ticks program)
+  set(limit)
+  set(arguments)
+  if(NOT ticks STREQUAL "all")
+    set(limit -DTICKS=${ticks})
+    set(arguments ${ticks})
+  endif()
+  set(may_update)
+  if(name MATCHES "^golden\\.")
+    set(may_update -DMAY_UPDATE=ON)
+  endif()
+  add_test(NAME determinism.${name}
+    COMMAND ${CMAKE_COMMAND} -DGOLDEN=${golden_${profile}} ${limit} ${may_update} -P ${compare} --
+      ${program} ${arguments})
+  set_tests_properties(determinism.${name} PROPERTIES TIMEOUT 300)
+endfunction()
+
+# As the preset compiles it. Only the full run may write the golden files.
+set(is_full TRUE)
+if(PALPATE_CHECKED OR PALPATE_SANITIZE)
+  set(is_full FALSE)
+endif()
+foreach(profile CuboidPaper Small)
+  add_executable(palpate_hash_run_${profile} hash_run.cpp ${image})
+  target_link_libraries(palpate_hash_run_${profile} PRIVATE palpate_options palpate_firmware_cycle)
+  target_compile_definitions(palpate_hash_run_${profile} PRIVATE PALPATE_PROFILE=${profile})
+  if(is_full)
+    palpate_golden_test(golden.${profile} ${profile} all $<TARGET_FILE:palpate_hash_run_${profile}>)
+  else()
+    palpate_golden_test(first_ticks.${profile} ${profile} ${first_ticks} $<TARGET_FILE:palpate_hash_run_${profile}>)
+  endif()
+endforeach()
+
+# The comparison itself must be able to fail, and to say where.
+add_test(NAME determinism.names_what_differs
+  COMMAND ${CMAKE_COMMAND} -DGOLDEN=${CMAKE_CURRENT_SOURCE_DIR}/comparison/golden.csv -P ${compare} --
+    ${CMAKE_COMMAND} -E cat ${CMAKE_CURRENT_SOURCE_DIR}/comparison/differs.csv)
+set_tests_properties(determinism.names_what_differs PROPERTIES
+  PASS_REGULAR_EXPRESSION "tick 200, stage forces: 23, but the golden hash is 22")
+add_test(NAME determinism.refuses_a_short_run
+  COMMAND ${CMAKE_COMMAND} -DGOLDEN=${CMAKE_CURRENT_SOURCE_DIR}/comparison/golden.csv -P ${compare} --
+    ${CMAKE_COMMAND} -E cat ${CMAKE_CURRENT_SOURCE_DIR}/comparison/ends_early.csv)
+set_tests_properties(determinism.refuses_a_short_run PROPERTIES
+  PASS_REGULAR_EXPRESSION "printed 1 rows, but must print 2")
+
+# The golden scenario's integers are those that the model compiler makes of its SI values.
+if(PALPATE_PROGRAM)
+  foreach(profile CuboidPaper Small)
+    add_executable(palpate_golden_model_test_${profile} golden_model_test.cpp ${image})
+    target_link_libraries(palpate_golden_model_test_${profile} PRIVATE palpate_options palpate_sim_model GTest::gtest_main)
+    target_compile_definitions(palpate_golden_model_test_${profile} PRIVATE PALPATE_PROFILE=${profile})
+    add_test(NAME determinism.golden_model.${profile} COMMAND palpate_golden_model_test_${profile})
+  endforeach()
+endif()
+
+# Other compilations, once: not again for each preset.
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR NOT is_full)
+  return()
+endif()
+palpate_hash_run(palpate_hash_run_O0 CuboidPaper -O0)
+palpate_golden_test(O0 CuboidPaper ${first_ticks} $<TARGET_FILE:palpate_hash_run_O0>)
+set_tests_properties(determinism.O0 PROPERTIES COST 60 LABELS slow)
+palpate_hash_run(palpate_hash_run_O3 CuboidPaper -O3)
+palpate_golden_test(O3 CuboidPaper all $<TARGET_FILE:palpate_hash_run_O3>)
+
+# palpate_skipped_test(<name> <reason>): shows in the list of tests as skipped.
+function(palpate_skipped_test name reason)
+  add_test(NAME determinism.${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: ${reason}")
+  set_tests_properties(determinism.${name} PROPERTIES SKIP_REGULAR_EXPRESSION "^skipped")
+endfunction()
+
+include(CheckCXXSourceCompiles)
+set(CMAKE_REQUIRED_FLAGS -m32)
+check_cxx_source_compiles("#include <array>\nint main() { return 0; }" PALPATE_COMPILES_FOR_32_BITS)
+unset(CMAKE_REQUIRED_FLAGS)
+if(PALPATE_COMPILES_FOR_32_BITS)
+  palpate_hash_run(palpate_hash_run_32_bits CuboidPaper -m32)
+  palpate_golden_test(32_bits CuboidPaper all $<TARGET_FILE:palpate_hash_run_32_bits>)
+else()
+  palpate_skipped_test(32_bits "g++ -m32 does not work here; Debian has it in g++-multilib")
+endif()
+
+find_program(PALPATE_CLANG clang++)
+if(PALPATE_CLANG)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*.hpp ${PROJECT_SOURCE_DIR}/hal/*.hpp
+    ${PROJECT_SOURCE_DIR}/firmware/cycle/*.hpp)
+  set(clang_run ${CMAKE_CURRENT_BINARY_DIR}/palpate_hash_run_clang)
+  add_custom_command(OUTPUT ${clang_run}
+    COMMAND ${PALPATE_CLANG} -std=c++17 -O2 -DPALPATE_PROFILE=CuboidPaper "-isystem$<JOIN:${roots},;-isystem>"
+      ${CMAKE_CURRENT_SOURCE_DIR}/hash_run.cpp ${image} ${core_sources} -o ${clang_run}
+    DEPENDS hash_run.cpp ${image} golden_scenario_image.hpp ${core_sources} ${headers}
+    COMMENT "Compiling palpate_hash_run with clang++"
+    COMMAND_EXPAND_LISTS VERBATIM)
+  add_custom_target(palpate_hash_run_with_clang ALL DEPENDS ${clang_run})
+  palpate_golden_test(clang_O2 CuboidPaper all ${clang_run})
+else()
+  palpate_skipped_test(clang_O2 "clang++ is not installed")
+endif()

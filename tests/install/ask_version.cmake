@@ -1,0 +1,33 @@
+# A program that asks for the next minor version must not get this one.
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+file(GLOB_RECURSE version_file ${PREFIX}/*/palpate-config-version.cmake)
+file(STRINGS ${version_file} line REGEX "^set\\(PACKAGE_VERSION \"")
+if(NOT line MATCHES "\"([0-9]+)\\.([0-9]+)\\.([0-9]+)\"")
+  message(FATAL_ERROR "no version in ${version_file}")
+endif()
+set(installed ${CMAKE_MATCH_1}.${CMAKE_MATCH_2})
+math(EXPR next_minor "${CMAKE_MATCH_2} + 1")
+set(next ${CMAKE_MATCH_1}.${next_minor})
+
+# asks(<version> <variable>): whether find_package takes the installed one.
+function(asks version found)
+  set(project ${WORK}/asks_${version})
+  file(REMOVE_RECURSE ${project})
+  file(WRITE ${project}/CMakeLists.txt
+    "cmake_minimum_required(VERSION 3.25)\nproject(asks LANGUAGES NONE)\n"
+    "find_package(palpate ${version} QUIET)\nmessage(STATUS \"found: \${palpate_FOUND}\")\n")
+  run(${CMAKE_COMMAND} -S ${project} -B ${project}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${PREFIX})
+  if(output MATCHES "found: 1")
+    set(${found} TRUE PARENT_SCOPE)
+  else()
+    set(${found} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+asks(${installed} takes_own)
+asks(${next} takes_next)
+if(NOT takes_own)
+  message(FATAL_ERROR "find_package(palpate ${installed}) does not take the installed package")
+endif()
+if(takes_next)
+  message(FATAL_ERROR "find_package(palpate ${next}) takes ${installed}, whose interface may differ")
+endif()

@@ -1,0 +1,165 @@
+// Every kind of damage to a forest is found: each field of each structure is corrupted, and every Violation occurs.
+#include "palpate/mesh/invariants.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/forests.hpp"
+#include "support/pool_corruptor.hpp"
+#include "support/random.hpp"
+
+namespace palpate::test {
+namespace {
+
+using Profile = TestProfile<600, 300, 9>;
+using TestForest = Forest<Profile>;
+
+/// Adaptively refined, so that leaves of several levels meet.
+class Invariants : public testing::Test {
+ protected:
+  Invariants() : block_(notched_block()), whole_(roots_of<Profile>(block_)) {
+    Random random(51);
+    for (int i = 0; i < 25; ++i) {
+      (void)bisect_with_closure(*whole_, whole_->leaf[random.below(whole_->leaf_count)].tet);
+    }
+  }
+
+  /// What the checker says about a copy with this damage.
+  template <class Damage>
+  Violation after(Damage damage) const {
+    auto copy = copy_of(*whole_);
+    damage(*copy);
+    return check_forest(*copy, block_);
+  }
+
+  /// An internal tet that is the parent of a leaf.
+  [[nodiscard]] uint16_t any_parent() const {
+    for (uint32_t i = 0; i < whole_->leaf_count; ++i) {
+      const uint16_t parent = whole_->parent_of(whole_->leaf[i].tet);
+      if (parent != kNone) return parent;
+    }
+    return kNone;
+  }
+  [[nodiscard]] uint32_t leaf_with_surface() const {
+    for (uint32_t i = 0; i < whole_->leaf_count; ++i) {
+      for (const uint16_t beyond : whole_->leaf[i].neighbour) {
+        if (beyond == kNone) return i;
+      }
+    }
+    return 0;
+  }
+
+  Block block_;
+  std::unique_ptr<TestForest> whole_;
+};
+
+TEST_F(Invariants, HoldBeforeAnyDamage) {
+  EXPECT_EQ(after([](TestForest&) {}), Violation::kNothing);
+  EXPECT_GT(whole_->leaf_count, 100);
+}
+
+TEST_F(Invariants, FindADeadNode) {
+  const auto free = static_cast<uint16_t>(whole_->nodes.live(whole_->nodes.used()));
+  for (uint32_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(after([=](TestForest& f) { f.leaf[3].node[i] = free; }), Violation::kDeadNode);
+    EXPECT_EQ(after([=](TestForest& f) { f.leaf[3].node[i] = kNone; }), Violation::kDeadNode);
+  }
+  EXPECT_EQ(after([](TestForest& f) { f.nodes.release(f.leaf[0].node[0]); }), Violation::kDeadNode);
+}
+
+TEST_F(Invariants, FindAWrongShape) {
+  EXPECT_EQ(after([](TestForest& f) { f.node.rest[f.leaf[0].node[0]].x += 1; }), Violation::kWrongShape);
+  EXPECT_EQ(after([](TestForest& f) { f.node.rest[f.leaf[0].node[1]].y -= 1; }), Violation::kWrongShape);
+  EXPECT_EQ(after([](TestForest& f) { f.node.rest[f.leaf[0].node[2]].z += 2; }), Violation::kWrongShape);
+  EXPECT_EQ(after([](TestForest& f) { std::swap(f.leaf[0].node[0], f.leaf[0].node[1]); }), Violation::kWrongShape);
+  EXPECT_EQ(after([](TestForest& f) { f.leaf[0].axes = Axes::of(1, 0, 2); }), Violation::kWrongShape);
+}
+
+TEST_F(Invariants, FindABrokenTree) {
+  const uint16_t parent = any_parent();
+  const uint16_t child = whole_->child(parent, 0);
+  const Violation expected = Violation::kTreeLink;
+  EXPECT_EQ(after([](TestForest& f) { f.leaf[2].tet = kNone; }), expected);
+  EXPECT_EQ(after([](TestForest& f) { f.leaf[2].tet ^= 1u; }), expected);
+  EXPECT_EQ(after([](TestForest& f) { f.leaf[2].level += 3; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[child].level += 3; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[child].is_leaf = false; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[child].link += 1; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.parent[child >> 1] = kNone; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.parent[child >> 1] ^= 1u; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[parent].link += 1; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[parent].level += 1; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[parent].is_leaf = true; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.pairs.release(static_cast<uint16_t>(child >> 1)); }), expected);
+}
+
+TEST_F(Invariants, FindAWrongNeighbour) {
+  for (uint32_t i = 0; i < whole_->leaf_count; ++i) {
+    for (uint32_t face = 0; face < 4; ++face) {
+      const uint16_t own = whole_->leaf[i].tet;
+      for (const uint16_t wrong : {own, static_cast<uint16_t>(own ^ 1u), any_parent(), whole_->leaf[7].tet,
+                                   static_cast<uint16_t>(TestForest::kTets)}) {
+        if (whole_->leaf[i].neighbour[face] == wrong) continue;
+        ASSERT_EQ(after([=](TestForest& f) { f.leaf[i].neighbour[face] = wrong; }), Violation::kNeighbour);
+      }
+    }
+  }
+}
+
+TEST_F(Invariants, FindAHole) {
+  for (uint32_t i = 0; i < whole_->leaf_count; ++i) {
+    for (uint32_t face = 0; face < 4; ++face) {
+      if (whole_->leaf[i].neighbour[face] == kNone) continue;
+      const Violation violation = after([=](TestForest& f) { f.leaf[i].neighbour[face] = kNone; });
+      // The leaf on the other side may be checked first, and misses its neighbour.
+      ASSERT_TRUE(violation == Violation::kHole || violation == Violation::kNeighbour);
+      auto copy = copy_of(*whole_);
+      copy->leaf[i].neighbour[face] = kNone;
+      ASSERT_EQ(check_leaf(*copy, block_, i), Violation::kHole);
+    }
+  }
+}
+
+/// The checker must know the block: a surface that the block does not have is a hole.
+TEST_F(Invariants, FindASurfaceInsideTheBlock) {
+  Block other = block_;
+  other.region[0] = 0;
+  EXPECT_EQ(check_forest(*whole_, other), Violation::kHole);
+}
+
+TEST_F(Invariants, FindAMissingVolume) {
+  // A tet of a cube that is not there any more: nothing that a leaf can see is wrong.
+  Block less = block_;
+  less.region[11] = Block::kAbsent;
+  Block more = less;
+  more.region[0] = 0;  // the same number of roots elsewhere
+  EXPECT_NE(check_forest(*whole_, more), Violation::kNothing);
+  auto copy = copy_of(*whole_);
+  --copy->leaf_count;
+  EXPECT_EQ(check_totals(*copy, block_), Violation::kLeafCount);
+  PoolCorruptor::used(copy->pairs) = static_cast<uint16_t>(copy->pairs.used() - 1);
+  EXPECT_EQ(check_totals(*copy, block_), Violation::kVolume);
+}
+
+TEST_F(Invariants, FindAWrongMass) {
+  for (uint32_t i = 0; i < whole_->nodes.used(); ++i) {
+    const uint16_t node = whole_->nodes.live(i);
+    ASSERT_EQ(after([=](TestForest& f) { f.node.mass[node] += 1; }), Violation::kMass);
+  }
+}
+
+TEST_F(Invariants, FindAWrongCount) {
+  EXPECT_EQ(after([](TestForest& f) { (void)f.pairs.allocate(); }), Violation::kLeafCount);
+}
+
+TEST_F(Invariants, FindAnUnusedNode) {
+  EXPECT_EQ(after([](TestForest& f) { f.node.mass[f.nodes.allocate()] = 0; }), Violation::kNodeUse);
+}
+
+TEST_F(Invariants, FindADamagedPool) {
+  EXPECT_EQ(after([](TestForest& f) { PoolCorruptor::order(f.nodes, 290) = 3; }), Violation::kPool);
+  EXPECT_EQ(after([](TestForest& f) { PoolCorruptor::order(f.pairs, 590) = kNone; }), Violation::kPool);
+  EXPECT_EQ(after([](TestForest& f) { PoolCorruptor::counters(f.nodes).peak = 1; }), Violation::kPool);
+}
+
+}  // namespace
+}  // namespace palpate::test

@@ -1,0 +1,119 @@
+// A full pool at every point where one is asked: the bisection is refused, counted, and has changed nothing.
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "support/forests.hpp"
+
+namespace palpate::test {
+namespace {
+
+/// Equal in every byte but the counters.
+template <class Profile>
+bool is_same_but_counters(Forest<Profile> a, const Forest<Profile>& b) {
+  a.leaf_counters = b.leaf_counters;
+  const bool same_nodes = std::memcmp(&a.node, &b.node, sizeof(a.node)) == 0;
+  const bool same_leaves = std::memcmp(&a.leaf, &b.leaf, sizeof(a.leaf)) == 0;
+  const bool same_tets = std::memcmp(&a.tet, &b.tet, sizeof(a.tet)) == 0 && a.parent == b.parent;
+  bool same_pools = a.nodes.used() == b.nodes.used() && a.pairs.used() == b.pairs.used();
+  for (uint16_t i = 0; i < Profile::kNodes; ++i) {
+    same_pools = same_pools && a.nodes.live(i) == b.nodes.live(i) &&
+                 a.nodes.handle(i).generation == b.nodes.handle(i).generation;
+  }
+  for (uint16_t i = 0; i < Forest<Profile>::kPairs; ++i) same_pools = same_pools && a.pairs.live(i) == b.pairs.live(i);
+  return same_nodes && same_leaves && same_tets && same_pools && a.leaf_count == b.leaf_count;
+}
+
+/// Bisects a cube patch by patch until it is refused; what that leaves must be untouched and whole.
+template <class Profile>
+MeshStatus fill(uint32_t& patches) {
+  const Block block = full_block(1, 1, 1);
+  auto forest = roots_of<Profile>(block);
+  if (forest == nullptr) return MeshStatus::kDone;
+  for (uint32_t i = 0;; i = (i * 5 + 1) % forest->leaf_count) {
+    Patch patch{};
+    EXPECT_EQ(find_ready_patch(*forest, forest->leaf[i].tet, patch), MeshStatus::kDone);
+    const auto before = copy_of(*forest);
+    const MeshStatus status = bisect(*forest, patch);
+    if (status == MeshStatus::kDone) {
+      ++patches;
+      continue;
+    }
+    EXPECT_TRUE(is_same_but_counters(*before, *forest));
+    EXPECT_EQ(check_forest(*forest, block), Violation::kNothing);
+    const bool leaves = status == MeshStatus::kLeavesFull;
+    EXPECT_EQ(forest->leaf_counters.refused, leaves ? 1 : 0);
+    EXPECT_EQ(forest->nodes.counters().refused, leaves ? 0 : 1);
+    EXPECT_EQ(forest->leaf_counters.peak, forest->leaf_count);
+    EXPECT_EQ(forest->nodes.counters().peak, forest->nodes.used());
+    return status;
+  }
+}
+
+template <uint16_t... Sizes>
+void run_out_of_leaves(std::integer_sequence<uint16_t, Sizes...>) {
+  uint32_t patches = 0;
+  for (const MeshStatus status : {fill<TestProfile<6 + Sizes, 200, 14>>(patches)...}) {
+    EXPECT_EQ(status, MeshStatus::kLeavesFull);
+  }
+  EXPECT_GT(patches, 100u);
+}
+
+template <uint16_t... Sizes>
+void run_out_of_nodes(std::integer_sequence<uint16_t, Sizes...>) {
+  uint32_t patches = 0;
+  for (const MeshStatus status : {fill<TestProfile<900, 8 + Sizes, 14>>(patches)...}) {
+    EXPECT_EQ(status, MeshStatus::kNodesFull);
+  }
+  EXPECT_GT(patches, 100u);
+}
+
+TEST(PoolRefusal, AnyNumberOfLeaves) { run_out_of_leaves(std::make_integer_sequence<uint16_t, 40>()); }
+TEST(PoolRefusal, AnyNumberOfNodes) { run_out_of_nodes(std::make_integer_sequence<uint16_t, 30>()); }
+
+/// Pairs cannot run out before leaves do; here the test has taken them away.
+TEST(PoolRefusal, PairsAreCheckedBeforeAnythingChanges) {
+  using Profile = TestProfile<200, 100, 9>;
+  auto forest = roots_of<Profile>(full_block(1, 1, 1));
+  Patch patch{};
+  ASSERT_EQ(find_ready_patch(*forest, forest->leaf[0].tet, patch), MeshStatus::kDone);
+  ASSERT_EQ(patch.count, 6u);
+  while (forest->pairs.used() + patch.count - 1 < Forest<Profile>::kPairs) (void)forest->pairs.allocate();
+  const auto before = copy_of(*forest);
+  EXPECT_EQ(bisect(*forest, patch), MeshStatus::kPairsFull);
+  EXPECT_TRUE(is_same_but_counters(*before, *forest));
+  EXPECT_EQ(forest->pairs.counters().refused, 1);
+}
+
+/// A block whose roots alone do not fit is refused with the pool that was too small.
+TEST(PoolRefusal, RootsThatDoNotFit) {
+  const Block block = bar_block();
+  const auto status_of = [&](auto profile) {
+    auto forest = std::make_unique<Forest<decltype(profile)>>();
+    return make_roots(*forest, block, kOneDensity);
+  };
+  EXPECT_EQ(status_of(TestProfile<17, 16, 3>{}), MeshStatus::kLeavesFull);
+  EXPECT_EQ(status_of(TestProfile<18, 15, 3>{}), MeshStatus::kNodesFull);
+  EXPECT_EQ(status_of(TestProfile<18, 16, 3>{}), MeshStatus::kDone);
+}
+
+/// A released node's handle stays stale after its slot is used again.
+TEST(PoolRefusal, HandlesOfMergedNodesAreStale) {
+  auto forest = roots_of<Bar>(bar_block());
+  Patch patch{};
+  ASSERT_EQ(find_ready_patch(*forest, forest->leaf[0].tet, patch), MeshStatus::kDone);
+  ASSERT_EQ(bisect(*forest, patch), MeshStatus::kDone);
+  const uint16_t middle = forest->nodes.live(forest->nodes.used() - 1u);
+  const Handle handle = forest->nodes.handle(middle);
+  EXPECT_TRUE(forest->nodes.is_live(handle));
+  Patch back{};
+  ASSERT_EQ(find_merge(*forest, forest->child(patch.tet[0], 0), back), MeshStatus::kDone);
+  merge(*forest, back);
+  EXPECT_FALSE(forest->nodes.is_live(handle));
+  ASSERT_EQ(bisect(*forest, patch), MeshStatus::kDone);
+  EXPECT_TRUE(forest->nodes.is_live(middle));
+  EXPECT_FALSE(forest->nodes.is_live(handle));
+}
+
+}  // namespace
+}  // namespace palpate::test
