@@ -9,16 +9,20 @@ namespace {
 constexpr double kTickS = 1e-3;
 constexpr double kMargin = 0.9;
 
-/// P-wave modulus over Young's modulus: what a stiff element's frequency grows with.
-double p_wave_modulus_ratio(double nu) { return (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)); }
+/// P-wave modulus over Young's modulus: what a stiff element's frequency grows with. Below nu = 0.3 the
+/// fastest mode is one of shear, and the critical step no longer grows.
+double p_wave_modulus_ratio(double poisson_ratio) {
+  const double nu = std::max(poisson_ratio, 0.3);
+  return (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+}
 
 }  // namespace
 
 double critical_step_s(int level, double edge_m, const RegionParameters& region) {
-  constexpr double kTableS[3] = {0.781e-3, 0.664e-3, 0.435e-3};   // levels 3, 4, 5
-  constexpr double kFinerS[3] = {0.400e-3, 0.332e-3, 0.2175e-3};  // levels 6, 7, 8
-  const double in_table = level < 6 ? kTableS[level % 3] * std::ldexp(1.0, 1 - level / 3)
-                                    : kFinerS[level % 3] * std::ldexp(1.0, 2 - level / 3);
+  constexpr double kTableS[9] = {1.226e-3, 1.126e-3, 0.853e-3, 0.781e-3, 0.664e-3,
+                                 0.435e-3, 0.400e-3, 0.332e-3, 0.2175e-3};  // levels 0 to 8
+  const double in_table =
+      level < 9 ? kTableS[level] : kTableS[6 + level % 3] * std::ldexp(1.0, 2 - level / 3);
   const double by_edge = edge_m / 0.064;
   const double by_density = std::sqrt(region.density_kg_m3 / 10.0 * 500.0 / region.youngs_modulus_pa);
   const double by_poisson =

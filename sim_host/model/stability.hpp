@@ -5,10 +5,10 @@
 
 namespace palpate::sim {
 
-/// Critical step in seconds of a uniform mesh at this level. The table holds levels 3 to 5 of the 64 mm cube
-/// at E = 500 Pa, rho = 10 kg/m3, nu = 0.49; three levels halve it, and it scales with the edge, sqrt(rho /
-/// E) and sqrt(E / (lambda + 2 mu)). Within 6 % of power iteration for nu 0.3 to 0.495; tests/oracle holds it
-/// to that.
+/// Critical step in seconds of a uniform mesh at this level. The table holds levels 0 to 8 of the 64 mm cube
+/// at E = 500 Pa, rho = 10 kg/m3, nu = 0.49; then three levels halve it, and it scales with the edge,
+/// sqrt(rho / E) and sqrt(E / (lambda + 2 mu)), with nu = 0.3 for all below. Within 8 % of power iteration
+/// for nu 0 to 0.495, at levels 0 and 1 up to 24 % below; tests/oracle holds it to that.
 double critical_step_s(int level, double edge_m, const RegionParameters& region);
 
 /// The smallest over all regions, at the model's finest level.

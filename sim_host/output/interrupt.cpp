@@ -15,7 +15,6 @@ void watch_signals() {
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);
   std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool is_interrupted() { return g_signal != 0; }

@@ -3,7 +3,7 @@
 
 namespace palpate::sim {
 
-/// From now on SIGINT and SIGTERM are remembered; a file that grows too large or a pipe that closes is a failed write.
+/// From now on SIGINT and SIGTERM are remembered, and a file that grows too large is a failed write.
 void watch_signals();
 [[nodiscard]] bool is_interrupted();
 /// Ends the process as the remembered signal would have.

@@ -10,7 +10,8 @@
 
 namespace palpate::sim {
 
-OutputFile::OutputFile(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "w")) {
+OutputFile::OutputFile(const std::string& path, const std::string& name)
+    : name_(name.empty() ? path : name), file_(std::fopen(path.c_str(), "w")) {
   if (file_ == nullptr) refuse();
 }
 
@@ -34,7 +35,7 @@ void OutputFile::close() {
 }
 
 void OutputFile::refuse() const {
-  throw EnvironmentError(fmt::format("cannot write '{}': {}", path_, std::strerror(errno)));
+  throw EnvironmentError(fmt::format("cannot write '{}': {}", name_, std::strerror(errno)));
 }
 
 void write_whole_file(const std::string& path, const std::string& text) {
@@ -44,7 +45,7 @@ void write_whole_file(const std::string& path, const std::string& text) {
       !std::filesystem::exists(path, ignored) || std::filesystem::is_regular_file(path, ignored);
   const std::string written = is_replaceable ? fmt::format("{}.partial-{}", path, getpid()) : path;
   try {
-    OutputFile file(written);
+    OutputFile file(written, path);
     file.write(text.data(), text.size());
     file.close();
     if (is_replaceable) std::filesystem::rename(written, path);

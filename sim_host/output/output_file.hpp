@@ -1,4 +1,5 @@
-// A file that is being written. Every write is checked: a full disk is an EnvironmentError, never a short file.
+// A file that is being written. Every write is checked: a full disk is an EnvironmentError, never a short
+// file.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +11,8 @@ namespace palpate::sim {
 
 class OutputFile {
  public:
-  explicit OutputFile(const std::string& path);
+  /// `name`: how messages call it; empty: as it is.
+  explicit OutputFile(const std::string& path, const std::string& name = "");
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
@@ -28,7 +30,7 @@ class OutputFile {
  private:
   [[noreturn]] void refuse() const;
 
-  std::string path_;
+  std::string name_;
   std::FILE* file_;
   fmt::memory_buffer text_;
 };

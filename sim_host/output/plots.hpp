@@ -5,11 +5,8 @@
 
 namespace palpate::sim {
 
-/// Throws EnvironmentError when gnuplot cannot be run.
-void require_gnuplot();
-
-/// force.svg, displacement.svg, with a device motor_codes.svg, and body.svg and body.png: the surface at rest and at its
-/// farthest, with the tool's path. Reads force.csv of the folder.
+/// force.svg, displacement.svg, with a device motor_codes.svg, and body.svg and body.png: the surface at rest
+/// and at its farthest, with the tool's path. Reads force.csv of the folder.
 void draw_plots(const Recording& recording, bool has_device, const RunFolder& folder);
 
 }  // namespace palpate::sim

@@ -2,25 +2,25 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "output/interrupt.hpp"
 #include "output/output_file.hpp"
 #include "output/progress.hpp"
+#include "output/projection.hpp"
 #include "scenario/errors.hpp"
 
 namespace palpate::sim {
 namespace {
 
-double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
-
 /// force.csv: a row a tick.
 class ForceLog {
  public:
-  ForceLog(const std::filesystem::path& path, bool has_device) : file_(path.string()), has_device_(has_device) {
-    file_.print("tick,time_ms,tool_x_mm,tool_y_mm,tool_z_mm,displacement_x_mm,displacement_y_mm,displacement_z_mm,"
-                "force_x_N,force_y_N,force_z_N,{}flags\n",
-                has_device ? "motor_1_code,motor_2_code,motor_3_code," : "");
+  ForceLog(const std::filesystem::path& path, bool has_device)
+      : file_(path.string()), has_device_(has_device) {
+    file_.print(
+        "tick,time_ms,tool_x_mm,tool_y_mm,tool_z_mm,displacement_x_mm,displacement_y_mm,displacement_z_mm,"
+        "force_x_N,force_y_N,force_z_N,{}flags\n",
+        has_device ? "motor_1_code,motor_2_code,motor_3_code," : "");
   }
   void add(const Sample& sample) {
     file_.print("{},{}", sample.tick, sample.tick);
@@ -64,18 +64,27 @@ void write_nodes(const BodyShape& shape, const std::filesystem::path& path) {
   for (std::size_t i = 0; i < shape.rest_mm.size(); ++i) {
     const auto& rest = shape.rest_mm[i];
     const auto& now = shape.now_mm[i];
-    file.print("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", i, rest[0], rest[1], rest[2], now[0], now[1], now[2]);
+    file.print("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", i, rest[0], rest[1], rest[2], now[0], now[1],
+               now[2]);
   }
   file.close();
 }
 
-/// The farthest shape, kept when the node went on by more than the encoders' noise.
-void keep_peak(const Simulation& simulation, const Sample& sample, double& farthest_mm, BodyShape& at_peak) {
-  constexpr double kStepMm = 0.1;
+/// The farthest shape, up to the encoders' noise; of several the last, which had most time to settle.
+void keep_peak(const Simulation& simulation, const Sample& sample, double& farthest_mm,
+               Recording& recording) {
+  constexpr double kNoiseMm = 0.1;
   const double distance = length(sample.displacement_mm);
-  if (distance < farthest_mm + kStepMm) return;
-  farthest_mm = distance;
-  at_peak = simulation.shape();
+  if (distance < farthest_mm - kNoiseMm) return;
+  farthest_mm = std::max(distance, farthest_mm);
+  recording.at_peak = simulation.shape();
+  recording.tool_at_peak_mm = sample.tool_mm;
+}
+
+/// Points that a picture can tell apart: a run of millions of ticks stays small.
+void keep_path(const std::array<double, 3>& tool_mm, std::vector<std::array<double, 3>>& path) {
+  constexpr double kStepMm = 0.1;
+  if (path.empty() || length(minus(tool_mm, path.back())) >= kStepMm) path.push_back(tool_mm);
 }
 
 }  // namespace
@@ -97,8 +106,8 @@ Recording record(Simulation& simulation, const Scenario& scenario, const RunFold
     }
     recording.peak_force_n = std::max(recording.peak_force_n, length(sample.force_n));
     recording.all_flags |= sample.flags;
-    recording.tool_path_mm.push_back(sample.tool_mm);
-    keep_peak(simulation, sample, farthest_mm, recording.at_peak);
+    keep_path(sample.tool_mm, recording.tool_path_mm);
+    keep_peak(simulation, sample, farthest_mm, recording);
     recording.last = sample;
     progress.show(sample.tick);
     if (is_interrupted()) throw Interrupted();

@@ -16,6 +16,7 @@ struct Recording {
   uint64_t state_hash = 0;
   double duration_s = 0.0;
   BodyShape at_peak;  // when the watched node was farthest from its place
+  std::array<double, 3> tool_at_peak_mm{};
   std::vector<std::array<double, 3>> tool_path_mm;
 };
 

@@ -15,21 +15,22 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string>& run_file_names() {
-  static const std::vector<std::string> kNames = {"summary.json", "force.csv",       "hash.csv", "nodes.csv", "force.svg",
-                                                  "body.png",     "body.svg",        "motor_codes.svg",
-                                                  "displacement.svg"};
+  static const std::vector<std::string> kNames = {"summary.json", "force.csv",       "hash.csv",
+                                                  "nodes.csv",    "force.svg",       "body.png",
+                                                  "body.svg",     "motor_codes.svg", "displacement.svg"};
   return kNames;
 }
 
 /// Only what a run wrote may be replaced by a run.
 void require_replaceable(const fs::path& path) {
   if (!fs::exists(fs::symlink_status(path))) return;
-  if (!fs::is_directory(path)) throw BadInput(fmt::format("'{}' is not a folder; choose another --out", path.string()));
+  if (!fs::is_directory(path))
+    throw BadInput(fmt::format("'{}' is not a folder; choose another --out", path.string()));
   const auto& names = run_file_names();
   for (const auto& entry : fs::directory_iterator(path)) {
     if (std::find(names.begin(), names.end(), entry.path().filename().string()) != names.end()) continue;
-    throw BadInput(fmt::format("'{}' holds '{}', which no run writes; choose another --out, or empty it", path.string(),
-                               entry.path().filename().string()));
+    throw BadInput(fmt::format("'{}' holds '{}', which no run writes; choose another --out, or empty it",
+                               path.string(), entry.path().filename().string()));
   }
 }
 
@@ -48,7 +49,8 @@ RunFolder::RunFolder(const fs::path& path) : path_(path) {
   try {
     const fs::path absolute = without_trailing_slash(path);
     require_replaceable(absolute);
-    temporary_ = absolute.parent_path() / fmt::format(".{}.partial-{}", absolute.filename().string(), getpid());
+    temporary_ =
+        absolute.parent_path() / fmt::format(".{}.partial-{}", absolute.filename().string(), getpid());
     for (fs::path parent = absolute.parent_path(); !fs::exists(parent); parent = parent.parent_path()) {
       created_parents_.insert(created_parents_.begin(), parent);
     }

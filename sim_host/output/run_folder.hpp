@@ -1,5 +1,6 @@
-// The folder of a run. It is filled under a temporary name beside its final one and renamed when all is written, so a
-// run folder is complete or absent; a run that fails leaves nothing behind, and an older run stays as it was.
+// The folder of a run. It is filled under a temporary name beside its final one and renamed when all is
+// written, so a run folder is complete or absent; a run that fails leaves nothing behind, and an older run
+// stays as it was.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +10,8 @@ namespace palpate::sim {
 
 class RunFolder {
  public:
-  /// Creates the temporary folder. Throws BadInput when `path` holds something that is not a run, EnvironmentError when
-  /// it cannot be written.
+  /// Creates the temporary folder. Throws BadInput when `path` holds something that is not a run,
+  /// EnvironmentError when it cannot be written.
   explicit RunFolder(const std::filesystem::path& path);
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;

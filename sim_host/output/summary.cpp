@@ -58,9 +58,8 @@ void write_summary(const Recording& recording, const Simulation& simulation, con
   summary["peak_force_N"] = recording.peak_force_n;
   summary["state_hash"] = fmt::format("{:016x}", recording.state_hash);
   summary["flags"] = flag_names(recording.all_flags);
-  summary["clamps"] = {{"speed", totals.clamps.speed},
-                       {"position", totals.clamps.position},
-                       {"strain", totals.clamps.strain}};
+  summary["clamps"] = {
+      {"speed", totals.clamps.speed}, {"position", totals.clamps.position}, {"strain", totals.clamps.strain}};
   summary["failure"] = simulation.failure() ? Json(*simulation.failure()) : Json(nullptr);
   summary["parameters"] = parameters_of(scenario);
   const std::string text = summary.dump(2) + "\n";

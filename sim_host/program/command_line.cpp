@@ -26,7 +26,8 @@ class ScenarioCommand {
                   const char* example)
       : command_(app.add_subcommand(name, meaning)), kinds_(kinds) {
     command_->allow_extras();
-    command_->footer(fmt::format("A flag is a key of the .toml file, with dashes for underscores.\nExample: {}", example));
+    command_->footer(
+        fmt::format("A flag is a key of the .toml file, with dashes for underscores.\nExample: {}", example));
     command_->add_option("scenario", name_, fmt::format("one of {}, or a path that ends in .toml", names()))
         ->option_text(" ")
         ->required();
@@ -69,9 +70,9 @@ class ScenarioCommand {
     Flag& flag = flags_.emplace_back(Flag{&parameter, "", nullptr});
     std::string spelling = flag_of(parameter.key);
     if (!parameter.alias.empty()) spelling += "," + flag_of(parameter.alias);
-    const std::string meaning = fmt::format("{}; {}; default {}", parameter.meaning, describe_range(parameter),
-                                            describe_default(parameter));
-    flag.option = command_->add_option(spelling, flag.text, meaning)->option_text(parameter.unit);
+    const std::string meaning = fmt::format("{}; {}; default {}", parameter.meaning,
+                                            describe_range(parameter), describe_default(parameter));
+    flag.option = command_->add_option(spelling, flag.text, meaning)->type_name("VALUE")->option_text(" ");
   }
 
   CLI::App* command_;
@@ -87,7 +88,8 @@ void refuse_extras(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->nonpositional()) flags.push_back(option->get_name());
   }
-  throw BadInput(fmt::format("{} does not take '{}'; it takes {}", command.get_name(), extras[0], fmt::join(flags, ", ")));
+  throw BadInput(fmt::format("{} does not take '{}'; it takes {}", command.get_name(), extras[0],
+                             fmt::join(flags, ", ")));
 }
 
 /// Everything but help and version, which CLI11 answers itself.
@@ -106,20 +108,23 @@ void parse(CLI::App& app, int argc, const char* const* argv) {
 int dispatch(CLI::App& app, int argc, const char* const* argv) {
   app.set_version_flag("--version", "palpate " PALPATE_VERSION, "print the version");
   app.set_help_flag("--help", "print this help");
-  app.footer("Example: palpate hil grasp --out out/grasp\n"
-             "Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 the environment.");
+  app.footer(
+      "Example: palpate hil grasp --out out/grasp\n"
+      "Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 the environment.");
   app.allow_extras();
   app.get_formatter()->column_width(38);
   const ScenarioCommand run(app, "run", "move the tool directly, without a device", kToolKinds, true,
                             "palpate run cuboid-sine --slow 2 --out out/sine");
-  const ScenarioCommand hil(app, "hil", "the firmware's cycle, fed with the encoder counts of a PHANToM", kDeviceKinds,
-                            true, "palpate hil grasp --force-scale 20 --out out/grasp");
-  ScenarioCommand model(app, "model", "describe a scenario's model, or write it for the firmware", kAllKinds, false,
-                        "palpate model grasp --firmware-image scenario_image.cpp");
+  const ScenarioCommand hil(app, "hil", "the firmware's cycle, fed with the encoder counts of a PHANToM",
+                            kDeviceKinds, true, "palpate hil grasp --force-scale 20 --out out/grasp");
+  ScenarioCommand model(app, "model", "describe a scenario's model, or write it for the firmware", kAllKinds,
+                        false, "palpate model grasp --firmware-image scenario_image.cpp");
   std::string image;
-  model.app()->add_option("--firmware-image", image, "write the model and the script as C++ for the firmware")
+  model.app()
+      ->add_option("--firmware-image", image, "write the model and the script as C++ for the firmware")
       ->option_text("FILE");
-  CLI::App* compare = app.add_subcommand("compare", "whether two runs have the same bits; if not, where they part");
+  CLI::App* compare =
+      app.add_subcommand("compare", "whether two runs have the same bits; if not, where they part");
   std::string first;
   std::string second;
   compare->add_option("A", first, "run folder, or a folder with the console.csv of a target")->required();
@@ -131,8 +136,9 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
   const auto chosen = app.get_subcommands();
   if (chosen.empty()) {
     const auto extras = app.remaining();
-    throw BadInput(fmt::format("{}; the commands are compare, hil, model and run, see palpate --help",
-                               extras.empty() ? "no command is given" : fmt::format("there is no command '{}'", extras[0])));
+    throw BadInput(fmt::format(
+        "{}; the commands are compare, hil, model and run, see palpate --help",
+        extras.empty() ? "no command is given" : fmt::format("there is no command '{}'", extras[0])));
   }
   refuse_extras(*chosen[0]);
   if (chosen[0] == run.app()) return run_scenario(run.scenario(), "run");

@@ -3,7 +3,8 @@
 
 namespace palpate::sim {
 
-/// Reads the command line and runs the command. Returns the exit code 0 or 1; throws BadInput for a wrong command line.
+/// Reads the command line and runs the command. Returns the exit code 0 or 1; throws BadInput for a wrong
+/// command line.
 int run_command_line(int argc, const char* const* argv);
 
 }  // namespace palpate::sim

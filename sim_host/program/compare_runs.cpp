@@ -21,7 +21,9 @@ std::string last_state_hash(const RunRecord& run) {
   return run.hashes.empty() ? "-" : run.hashes.rbegin()->second.back();
 }
 
-std::string tets(const RunRecord& run) { return summary_or(run, "tets", summary_or(run, "leaves", "-").c_str()); }
+std::string tets(const RunRecord& run) {
+  return summary_or(run, "tets", summary_or(run, "leaves", "-").c_str());
+}
 
 std::string peak_force(const RunRecord& run) {
   const std::string newtons = summary_or(run, "peak_force_N", "");
@@ -59,8 +61,8 @@ std::optional<std::string> describe_missing(const RunRecord& run, const RunRecor
     if (other.hashes.count(tick) == 0) missing.push_back(tick);
   }
   if (missing.empty()) return std::nullopt;
-  return fmt::format("{} has no hashes of {} ticks that {} has, the first is {}", other.name, missing.size(), run.name,
-                     missing[0]);
+  return fmt::format("{} has no hashes of {} ticks that {} has, the first is {}", other.name, missing.size(),
+                     run.name, missing[0]);
 }
 
 /// "tick 300, stage forces", and the stages after it that differ too.
@@ -77,8 +79,8 @@ std::optional<std::string> find_first_difference(const RunRecord& a, const RunRe
 }
 
 std::size_t count_common(const RunRecord& a, const RunRecord& b) {
-  return static_cast<std::size_t>(
-      std::count_if(a.hashes.begin(), a.hashes.end(), [&](const auto& row) { return b.hashes.count(row.first) > 0; }));
+  return static_cast<std::size_t>(std::count_if(
+      a.hashes.begin(), a.hashes.end(), [&](const auto& row) { return b.hashes.count(row.first) > 0; }));
 }
 
 /// Why they are not equal, a reason a line; empty when they are.
@@ -88,11 +90,13 @@ std::vector<std::string> find_objections(const RunRecord& a, const RunRecord& b)
     if (!run->problem.empty()) objections.push_back(fmt::format("{} {}", run->source, run->problem));
   }
   if (a.stages != b.stages) {
-    objections.push_back(fmt::format("the runs have different stages, so their hashes do not compare: {} against {}",
-                                     fmt::join(a.stages, " "), fmt::join(b.stages, " ")));
+    objections.push_back(
+        fmt::format("the runs have different stages, so their hashes do not compare: {} against {}",
+                    fmt::join(a.stages, " "), fmt::join(b.stages, " ")));
     return objections;
   }
-  if (const auto difference = find_first_difference(a, b)) objections.push_back("first difference: " + *difference);
+  if (const auto difference = find_first_difference(a, b))
+    objections.push_back("first difference: " + *difference);
   for (const auto& missing : {describe_missing(a, b), describe_missing(b, a)}) {
     if (missing) objections.push_back(*missing + "; record both with the same --hash-every and --ticks");
   }

@@ -16,8 +16,8 @@ void print_model(const Scenario& scenario, const Fit& fit) {
   fmt::print("  leaves         {}\n", fit.tets);
   fmt::print("  nodes          {}\n", fit.nodes);
   for (const RegionParameters& region : model.regions) {
-    fmt::print("  material       E {:g} Pa, nu {:g}, rho {:g} kg/m3\n", region.youngs_modulus_pa, region.poisson_ratio,
-               region.density_kg_m3);
+    fmt::print("  material       E {:g} Pa, nu {:g}, rho {:g} kg/m3\n", region.youngs_modulus_pa,
+               region.poisson_ratio, region.density_kg_m3);
   }
   fmt::print("  critical step  {:.3f} ms\n", critical_step_s(model) * 1e3);
   fmt::print("  substeps       {} needed, {} chosen\n", needed_substeps(model), model.substeps);

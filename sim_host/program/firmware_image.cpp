@@ -10,7 +10,8 @@ namespace {
 
 template <int I, int F>
 std::string spell(Q<I, F> q) {
-  // The smallest number has no literal of its own: -2147483648 is minus applied to a number that is too large.
+  // The smallest number has no literal of its own: -2147483648 is minus applied to a number that is too
+  // large.
   if (q == Q<I, F>::min()) return fmt::format("Q<{}, {}>::min()", I, F);
   return fmt::format("Q<{}, {}>::from_raw({})", I, F, q.raw());
 }
@@ -26,10 +27,12 @@ std::string spell(LatticePoint p) { return fmt::format("{{{}, {}, {}}}", p.x, p.
 
 std::string spell(const Model& model) {
   const auto number = [](auto value) { return fmt::format("{}", value); };
-  const auto material = [](const Material& m) { return fmt::format("\n     {{{}, {}}}", spell(m.shear), spell(m.bulk)); };
+  const auto material = [](const Material& m) {
+    return fmt::format("\n     {{{}, {}}}", spell(m.shear), spell(m.bulk));
+  };
   const auto box = [](const LatticeBox& b) { return fmt::format("{{{}, {}}}", spell(b.min), spell(b.max)); };
   const Dynamics& d = model.dynamics;
-  return fmt::format("{{{{{}, {}}},  // block\n    {},  // level\n    {{{}}},\n    {{{}}},  // densities\n", 
+  return fmt::format("{{{{{}, {}}},  // block\n    {},  // level\n    {{{}}},\n    {{{}}},  // densities\n",
                      braces(model.block.cubes, number), braces(model.block.region, number), model.level,
                      braces(model.materials, material), braces(model.region_density, number)) +
          fmt::format("    {{{}, {}, {},\n     {}, {}}},  // dynamics\n", d.substeps, spell(d.mass_damping),
@@ -40,7 +43,8 @@ std::string spell(const Model& model) {
 std::string spell(const firmware::Scene& scene) {
   const auto coordinate = [](Position x) { return spell(x); };
   return fmt::format("{{{},\n    {{{}}},\n    {}, {}}}", spell(scene.edges_per_metre),
-                     braces(scene.device_origin, coordinate), spell(scene.newton_mantissa), scene.newton_exponent);
+                     braces(scene.device_origin, coordinate), spell(scene.newton_mantissa),
+                     scene.newton_exponent);
 }
 
 std::string spell(const std::vector<firmware::ScriptRow>& rows) {
@@ -56,9 +60,10 @@ std::string spell(const std::vector<firmware::ScriptRow>& rows) {
 
 std::string firmware_image_source(const Scenario& scenario) {
   if (scenario.kind != ScenarioKind::kGrasp) {
-    throw BadInput(fmt::format("{} moves the tool without a device, so there is nothing for the firmware to read; a "
-                               "firmware image needs grasp or a file with scenario = \"grasp\"",
-                               kind_name(scenario.kind)));
+    throw BadInput(
+        fmt::format("{} moves the tool without a device, so there is nothing for the firmware to read; a "
+                    "firmware image needs grasp or a file with scenario = \"grasp\"",
+                    kind_name(scenario.kind)));
   }
   const Model body = compile_model(scenario.model);
   const firmware::Scene scene = compile_scene(scenario.grasp.scene, scenario.model);

@@ -49,11 +49,13 @@ void add_row(RunRecord& run, const std::vector<std::string>& cells, std::size_t 
   const auto tick = parse<uint32_t>(cells[0], 10);
   if (!tick) refuse(run, line, fmt::format("'{}' is no tick", cells[0]));
   if (cells.size() != run.stages.size() + 1) {
-    refuse(run, line, fmt::format("the row has {} hashes, but there are {} stages", cells.size() - 1,
-                                  run.stages.size()));
+    refuse(
+        run, line,
+        fmt::format("the row has {} hashes, but there are {} stages", cells.size() - 1, run.stages.size()));
   }
   const auto wrong = std::find_if_not(cells.begin() + 1, cells.end(), is_hash);
-  if (wrong != cells.end()) refuse(run, line, fmt::format("'{}' is no hash of 16 hexadecimal digits", *wrong));
+  if (wrong != cells.end())
+    refuse(run, line, fmt::format("'{}' is no hash of 16 hexadecimal digits", *wrong));
   if (!run.hashes.emplace(*tick, std::vector<std::string>(cells.begin() + 1, cells.end())).second) {
     refuse(run, line, fmt::format("tick {} is there twice", *tick));
   }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "output/gnuplot.hpp"
 #include "output/plots.hpp"
 #include "output/recorder.hpp"
 #include "program/commands.hpp"
@@ -20,11 +21,12 @@ void require_kind(const Scenario& scenario, const std::string& command) {
 
 void print_result(const Recording& recording, const Simulation& simulation, const Scenario& scenario) {
   const Totals totals = simulation.totals();
-  fmt::print("{}: {} ticks in {:.1f} s ({:.2f} ms a tick)\n", scenario.name, recording.last.tick, recording.duration_s,
-             recording.duration_s * 1e3 / recording.last.tick);
+  fmt::print("{}: {} ticks in {:.1f} s ({:.2f} ms a tick)\n", scenario.name, recording.last.tick,
+             recording.duration_s, recording.duration_s * 1e3 / recording.last.tick);
   fmt::print("  profile     {}, level {}, {} substeps\n", scenario.profile, scenario.model.level,
              scenario.model.substeps);
-  fmt::print("  tets        {} ({} nodes, {} rotation tets)\n", totals.tets, totals.nodes, totals.rotation_tets);
+  fmt::print("  tets        {} ({} nodes, {} rotation tets)\n", totals.tets, totals.nodes,
+             totals.rotation_tets);
   fmt::print("  peak force  {:.3f} mN\n", recording.peak_force_n * 1e3);
   fmt::print("  clamps      speed {}, position {}, strain {}\n", totals.clamps.speed, totals.clamps.position,
              totals.clamps.strain);
@@ -38,7 +40,8 @@ int run_scenario(Scenario scenario, const std::string& command) {
   require_kind(scenario, command);
   complete_scenario(scenario);
   fit_to_profile(scenario);
-  const auto simulation = has_device(command) ? make_device_simulation(scenario) : make_tool_simulation(scenario);
+  const auto simulation =
+      has_device(command) ? make_device_simulation(scenario) : make_tool_simulation(scenario);
   if (scenario.out.empty()) scenario.out = fmt::format("out/{}/{}", command, scenario.name);
   if (scenario.plots) require_gnuplot();
   RunFolder folder(scenario.out);

@@ -1,5 +1,5 @@
-// The core's tick in double precision: the same stages in the same order, exact polar rotations, no rounding and no
-// clamps. Stepped beside the core it shows what fixed point costs.
+// The core's tick in double precision: the same stages in the same order, exact polar rotations, no rounding
+// and no clamps. Stepped beside the core it shows what fixed point costs.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@ struct RigidMotion {
 
 struct BodyParameters {
   std::vector<Material> materials;
-  uint32_t substeps = 1;            // a tick of 1 ms
-  double mass_damping_per_s = 0;    // alpha_M
-  double stiffness_damping_s = 0;   // beta_K
+  uint32_t substeps = 1;           // a tick of 1 ms
+  double mass_damping_per_s = 0;   // alpha_M
+  double stiffness_damping_s = 0;  // beta_K
   double grasp_reach_m = 0;
 };
 
@@ -36,7 +36,8 @@ class ReferenceBody {
   /// held: for each node 0 (free), or 1 or 2 (moved by hold_motion[0] or [1]).
   ReferenceBody(const Mesh& mesh, const BodyParameters& parameters, std::vector<uint8_t> held);
 
-  /// 1 ms. Returns the reaction: the elastic force on the grasped node in the last substep, N; zero without a grasp.
+  /// 1 ms. Returns the reaction: the elastic force on the grasped node in the last substep, N; zero without a
+  /// grasp.
   Vector tick(const BodyInput& input);
 
   [[nodiscard]] const Positions& position() const { return position_; }

@@ -20,8 +20,8 @@ StressTangent stress_tangent(const Matrix& f, const Material& material) {
     df(k % 3, k / 3) = 1.0;
     const Matrix rotated = r.transpose() * df;
     const Matrix dr = r * cross_matrix(h_inverse * axial_vector(rotated));
-    const Matrix dp = 2 * material.mu * (df - dr) + material.lambda * rotated.trace() * r +
-                      material.lambda * trace_e * dr;
+    const Matrix dp =
+        2 * material.mu * (df - dr) + material.lambda * rotated.trace() * r + material.lambda * trace_e * dr;
     tangent.col(k) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(dp.data());
   }
   return tangent;

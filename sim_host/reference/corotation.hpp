@@ -1,5 +1,6 @@
-// The corotated model of core/elastic in doubles: e = sym(R^T F) - I, sigma = 2 mu e + lambda tr(e) I, P = R sigma,
-// f_i = - V P grad_i. With R the polar rotation of F it has the energy V (mu |e|^2 + lambda/2 tr(e)^2).
+// The corotated model of core/elastic in doubles: e = sym(R^T F) - I, sigma = 2 mu e + lambda tr(e) I, P = R
+// sigma, f_i = - V P grad_i. With R the polar rotation of F it has the energy V (mu |e|^2 + lambda/2
+// tr(e)^2).
 #pragma once
 
 #include <vector>

@@ -24,12 +24,12 @@ Eigen::VectorXd first_guess(Eigen::Index size) {
 double largest_angular_frequency(const Mesh& mesh, const std::vector<Material>& materials,
                                  const std::vector<bool>& held) {
   const FreeNodes free(held);
-  SparseMatrix k =
-      assemble_stiffness(elements_of(mesh), materials, mesh.rest, free, Tangent::kExact);
+  SparseMatrix k = assemble_stiffness(elements_of(mesh), materials, mesh.rest, free, Tangent::kExact);
   const std::vector<double> mass = lumped_masses(mesh, materials);
   Eigen::VectorXd root(free.coordinates());
   for (uint32_t node = 0; node < mass.size(); ++node) {
-    if (free.is_free(node)) root.segment<3>(free.first_coordinate(node)).setConstant(1.0 / std::sqrt(mass[node]));
+    if (free.is_free(node))
+      root.segment<3>(free.first_coordinate(node)).setConstant(1.0 / std::sqrt(mass[node]));
   }
   k = (root.asDiagonal() * k * root.asDiagonal()).eval();
   Eigen::VectorXd v = first_guess(free.coordinates());

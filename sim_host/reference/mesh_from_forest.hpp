@@ -53,7 +53,8 @@ inline RigidMotion rigid_motion(const palpate::RigidMotion& motion, double edge_
   RigidMotion out;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      out.rotation(row, column) = std::ldexp(motion.rotation(row, column).raw(), -RotationEntry::kFractionBits);
+      out.rotation(row, column) =
+          std::ldexp(motion.rotation(row, column).raw(), -RotationEntry::kFractionBits);
     }
   }
   out.translation = in_metres(motion.translation, edge_m);

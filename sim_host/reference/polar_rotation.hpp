@@ -5,11 +5,12 @@
 
 namespace palpate::reference {
 
-/// By singular values: R = U diag(1, 1, det(U V^T)) V^T, any F. Where the nearest rotation is not unique (the two
-/// smallest signed singular values add up to zero), one of them.
+/// By singular values: R = U diag(1, 1, det(U V^T)) V^T, any F. Where the nearest rotation is not unique (the
+/// two smallest signed singular values add up to zero), one of them.
 Matrix polar_rotation(const Matrix& f);
 
-/// The same by Newton steps from `warm` until they vanish; falls back on singular values. Far cheaper from near by.
+/// The same by Newton steps from `warm` until they vanish; falls back on singular values. Far cheaper from
+/// near by.
 Matrix polar_rotation(const Matrix& f, const Matrix& warm);
 
 /// Vector a with a x v = (m - m^T) v / 2 doubled: the axial vector of m - m^T.

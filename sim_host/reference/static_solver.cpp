@@ -57,9 +57,10 @@ class LoadStep {
     return next;
   }
 
-  /// Halves the step until the energy falls; near the solution, where its change drowns in rounding, until the
-  /// residual falls.
-  bool search(Positions& x, const Eigen::VectorXd& force, const Eigen::VectorXd& step, double residual) const {
+  /// Halves the step until the energy falls; near the solution, where its change drowns in rounding, until
+  /// the residual falls.
+  bool search(Positions& x, const Eigen::VectorXd& force, const Eigen::VectorXd& step,
+              double residual) const {
     const double energy = static_energy(elements_, problem_.materials, x);
     for (double length = 1.0; length > kShortestStep; length /= 2) {
       const Positions next = moved(x, step, length);
@@ -80,8 +81,8 @@ class LoadStep {
 
 }  // namespace
 
-std::vector<Vector> static_forces(const std::vector<Element>& elements, const std::vector<Material>& materials,
-                                  const Positions& x) {
+std::vector<Vector> static_forces(const std::vector<Element>& elements,
+                                  const std::vector<Material>& materials, const Positions& x) {
   std::vector<Vector> forces(x.size(), Vector::Zero());
   for (const Element& element : elements) {
     const Matrix f = deformation_gradient(element, x);

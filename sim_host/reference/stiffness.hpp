@@ -31,8 +31,9 @@ class FreeNodes {
 };
 
 /// - d f / d x at x, N/m.
-inline SparseMatrix assemble_stiffness(const std::vector<Element>& elements, const std::vector<Material>& materials,
-                                       const Positions& x, const FreeNodes& free, Tangent kind) {
+inline SparseMatrix assemble_stiffness(const std::vector<Element>& elements,
+                                       const std::vector<Material>& materials, const Positions& x,
+                                       const FreeNodes& free, Tangent kind) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(elements.size() * 144);
   for (const Element& element : elements) {
@@ -43,7 +44,8 @@ inline SparseMatrix assemble_stiffness(const std::vector<Element>& elements, con
         const uint32_t row = element.node[a / 3];
         const uint32_t column = element.node[b / 3];
         if (!free.is_free(row) || !free.is_free(column)) continue;
-        entries.emplace_back(free.first_coordinate(row) + a % 3, free.first_coordinate(column) + b % 3, k(a, b));
+        entries.emplace_back(free.first_coordinate(row) + a % 3, free.first_coordinate(column) + b % 3,
+                             k(a, b));
       }
     }
   }

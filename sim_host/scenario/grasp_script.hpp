@@ -1,4 +1,5 @@
-// The grasp scenario as the device sees it: the tool comes to a corner of the free end, takes it, drags it sideways, brings it back, lets go and leaves. Written as encoder counts, a row a tick.
+// The grasp scenario as the device sees it: the tool comes to a corner of the free end, takes it, drags it
+// sideways, brings it back, lets go and leaves. Written as encoder counts, a row a tick.
 #pragma once
 
 #include "scenario/premium_arm.hpp"

@@ -36,7 +36,8 @@ Parameter output(Parameter parameter) {
   return parameter;
 }
 
-Parameter choice(const char* key, std::vector<std::string> choices, const char* meaning, Field<std::string> access) {
+Parameter choice(const char* key, std::vector<std::string> choices, const char* meaning,
+                 Field<std::string> access) {
   Parameter parameter = make(key, "", 0, 0, meaning, access);
   parameter.choices = std::move(choices);
   return parameter;
@@ -64,7 +65,8 @@ std::vector<Parameter> body_parameters() {
            PALPATE_FIELD(double, model.mass_damping_per_s)),
       make("stiffness_damping_s", "s", 0, 1e-3, "stiffness-proportional damping",
            PALPATE_FIELD(double, model.stiffness_damping_s)),
-      choice("hold", {"one", "both", "none"}, "held end faces of the longest axis", PALPATE_FIELD(std::string, hold)),
+      choice("hold", {"one", "both", "none"}, "held end faces of the longest axis",
+             PALPATE_FIELD(std::string, hold)),
       make("grasp_reach_m", "m", 0, 0.5, "how far from a node a grasp still takes it",
            PALPATE_FIELD(double, model.grasp_reach_m)),
   };
@@ -74,12 +76,14 @@ std::vector<Parameter> motion_parameters() {
   Parameter node = make("node_mm", "mm", -1000, 1000, "rest position of the driven node",
                         PALPATE_FIELD(Triple, node_mm), kSine | kDeviceKinds);
   return {
-      with_default(with_alias(node, "node"), "a corner of the free end; the middle of a side if both ends are held"),
-      make("amplitude_mm", "mm", 0, 200, "amplitude of the node's motion", PALPATE_FIELD(double, sine.amplitude_mm),
-           kSine),
+      with_default(with_alias(node, "node"),
+                   "a corner of the free end; the middle of a side if both ends are held"),
+      make("amplitude_mm", "mm", 0, 200, "amplitude of the node's motion",
+           PALPATE_FIELD(double, sine.amplitude_mm), kSine),
       make("slow", "", 1, 1000, "stretches the motion in time", PALPATE_FIELD(int, sine.slow), kSine),
-      with_alias(make("angle_deg", "deg", 0, 180, "angle of the arc", PALPATE_FIELD(double, bend.angle_deg), kBend),
-                 "angle"),
+      with_alias(
+          make("angle_deg", "deg", 0, 180, "angle of the arc", PALPATE_FIELD(double, bend.angle_deg), kBend),
+          "angle"),
       make("settle_damping_per_s", "1/s", 0, 30, "mass-proportional damping while the bent bar comes to rest",
            PALPATE_FIELD(double, bend.settle_damping_per_s), kBend),
       make("drag_mm", "mm", -80, 80, "how far the tool drags the grasped corner along y",
@@ -88,21 +92,23 @@ std::vector<Parameter> motion_parameters() {
            PALPATE_FIELD(double, grasp.scene.force_scale), kDeviceKinds),
       make("body_centre_in_device_m", "m", -0.512, 0.512, "where the body's centre is in the device's frame",
            PALPATE_FIELD(Triple, grasp.scene.body_centre_in_device_m), kDeviceKinds),
-      with_default(make("ticks", "ms", 0, kManyTicks, "ticks to run at most; 0: all", PALPATE_FIELD(int, ticks)),
-                   "0: two periods, until at rest, the whole script"),
+      with_default(make("ticks", "ticks of 1 ms", 0, kManyTicks, "when to stop; 0: at the end",
+                        PALPATE_FIELD(int, ticks)),
+                   "0"),
       choice("profile", {"cuboid-paper", "cuboid-dense", "organ", "small", "workstation"},
              "capacities to run with", PALPATE_FIELD(std::string, profile)),
   };
 }
 
 std::vector<Parameter> output_parameters() {
-  Parameter board = output(choice("board", {"host"}, "where the cycle runs", PALPATE_FIELD(std::string, board)));
+  Parameter board =
+      output(choice("board", {"host"}, "where the cycle runs", PALPATE_FIELD(std::string, board)));
   board.kinds = kDeviceKinds;
   return {
       board,
       output(make("hash_every", "ticks", 1, kManyTicks, "ticks between two rows of hash.csv",
                   PALPATE_FIELD(int, hash_every))),
-      output(with_default(make("out", "folder", 0, 0, "run folder to write", PALPATE_FIELD(std::string, out)),
+      output(with_default(make("out", "", 0, 0, "run folder to write", PALPATE_FIELD(std::string, out)),
                           "out/<command>/<scenario>")),
       output(make("plots", "", 0, 1, "draw pictures with gnuplot", PALPATE_FIELD(bool, plots))),
   };
@@ -156,11 +162,14 @@ nlohmann::json parameter_value(const Parameter& parameter, const Scenario& scena
 std::string describe_range(const Parameter& parameter) {
   if (!parameter.choices.empty()) return fmt::format("{}", fmt::join(parameter.choices, ", "));
   if (std::holds_alternative<Field<bool>>(parameter.access)) return "on, off";
-  if (std::holds_alternative<Field<std::string>>(parameter.access)) return "text";
-  const std::string range = fmt::format("{:g} .. {:g}", parameter.low, parameter.high);
+  if (std::holds_alternative<Field<std::string>>(parameter.access)) return "a path";
+  const std::string range = fmt::format("{:g} .. {:g}{}{}", parameter.low, parameter.high,
+                                        parameter.unit.empty() ? "" : " ", parameter.unit);
   if (std::holds_alternative<Field<Triple>>(parameter.access)) return "three numbers, " + range;
   if (std::holds_alternative<Field<WholeTriple>>(parameter.access)) return "three whole numbers, " + range;
-  if (std::holds_alternative<Field<std::vector<int>>>(parameter.access)) return "a whole number a cube, " + range;
+  if (std::holds_alternative<Field<std::vector<int>>>(parameter.access))
+    return "a whole number a cube, " + range;
+  if (std::holds_alternative<Field<int>>(parameter.access)) return "a whole number, " + range;
   return range;
 }
 

@@ -1,5 +1,6 @@
-// Every parameter of a scenario, once: its TOML key, which with dashes is its command-line flag, its unit, range,
-// default and meaning. Help, the TOML reader, the command line and summary.json are made from this table.
+// Every parameter of a scenario, once: its TOML key, which with dashes is its command-line flag, its unit,
+// range, default and meaning. Help, the TOML reader, the command line and summary.json are made from this
+// table.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,9 +13,11 @@ namespace palpate::sim {
 template <class T>
 using Field = T& (*)(Scenario&);
 
-/// Where a parameter lives; its alternative is the parameter's type. A member of RegionParameters is set in all regions.
-using Access = std::variant<Field<double>, Field<int>, Field<bool>, Field<std::string>, Field<std::array<double, 3>>,
-                            Field<std::array<int, 3>>, Field<std::vector<int>>, double RegionParameters::*>;
+/// Where a parameter lives; its alternative is the parameter's type. A member of RegionParameters is set in
+/// all regions.
+using Access =
+    std::variant<Field<double>, Field<int>, Field<bool>, Field<std::string>, Field<std::array<double, 3>>,
+                 Field<std::array<int, 3>>, Field<std::vector<int>>, double RegionParameters::*>;
 
 /// Scenarios that have a parameter, one bit a kind.
 constexpr unsigned kind_bit(ScenarioKind kind) { return 1u << static_cast<unsigned>(kind); }
@@ -42,8 +45,8 @@ const Parameter* find_parameter(const std::string& key);
 /// All keys of a kind, separated by commas.
 std::string list_keys(unsigned kinds);
 
-/// Sets a parameter from text: a number, on|off, or numbers separated by commas. `place` begins the message of the
-/// BadInput that a wrong value throws: "bar.toml:3:1: " or "--".
+/// Sets a parameter from text: a number, on|off, or numbers separated by commas. `place` begins the message
+/// of the BadInput that a wrong value throws: "bar.toml:3:1: " or "--".
 void set_parameter(Scenario& scenario, const Parameter& parameter, const std::string& text,
                    const std::string& place);
 

@@ -59,7 +59,8 @@ std::array<double, 3> encoder_counts(const JointAnglesRad& angles) {
   const auto& ratings = phantom::premium::kEncoders;
   const auto& zero = phantom::premium::kPremium15.at_zero_counts;
   const std::array<double, 3> q = {angles.q1, angles.q2, angles.q3};
-  const std::array<double, 3> q0 = {zero.q1.raw() * kAngleUnit, zero.q2.raw() * kAngleUnit, zero.q3.raw() * kAngleUnit};
+  const std::array<double, 3> q0 = {zero.q1.raw() * kAngleUnit, zero.q2.raw() * kAngleUnit,
+                                    zero.q3.raw() * kAngleUnit};
   std::array<double, 3> counts{};
   for (std::size_t joint = 0; joint < counts.size(); ++joint) {
     const double per_turn = ratings.direction[joint] * ratings.counts_per_joint_turn_milli[joint] / 1000.0;

@@ -1,6 +1,5 @@
-// The PHANToM Premium 1.5 seen from the desk: where the joints must be for a tool position, and what the encoders then
-// read. Doubles; the figures are those of hal/phantom.
-// Source: Cavusoglu, Feygin, Tendick 2002.
+// The PHANToM Premium 1.5 seen from the desk: where the joints must be for a tool position, and what the
+// encoders then read. Doubles; the figures are those of hal/phantom. Source: Cavusoglu, Feygin, Tendick 2002.
 #pragma once
 
 #include <array>

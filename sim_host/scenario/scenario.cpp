@@ -11,17 +11,19 @@ namespace palpate::sim {
 namespace {
 
 std::size_t longest_axis(const ModelParameters& model) {
-  return static_cast<std::size_t>(std::max_element(model.cubes.begin(), model.cubes.end()) - model.cubes.begin());
+  return static_cast<std::size_t>(std::max_element(model.cubes.begin(), model.cubes.end()) -
+                                  model.cubes.begin());
 }
 
-/// A corner of the free end, low in x so that it is near to the device, and in y where the drag pulls it off the body;
-/// with both ends held the middle of a side, low in y, the direction of the drive.
+/// A corner of the free end, low in x so that it is near to the device, and in y where the drag pulls it off
+/// the body; with both ends held the middle of a side, low in y, the direction of the drive.
 std::array<double, 3> default_node_mm(const Scenario& scenario) {
   const ModelParameters& model = scenario.model;
   const std::size_t axis = longest_axis(model);
   const double edge_mm = model.edge_m * 1e3;
   std::array<double, 3> node = {0.0, 0.0, 0.0};
-  if (scenario.kind == ScenarioKind::kGrasp && scenario.grasp.drag_mm > 0.0) node[1] = model.cubes[1] * edge_mm;
+  if (scenario.kind == ScenarioKind::kGrasp && scenario.grasp.drag_mm > 0.0)
+    node[1] = model.cubes[1] * edge_mm;
   node[axis] = model.cubes[axis] * edge_mm;
   if (model.held == HeldEnds::kBoth) {
     for (std::size_t i = 0; i < 3; ++i) node[i] = model.cubes[i] * edge_mm / 2.0;
@@ -77,8 +79,8 @@ Scenario load_scenario(const std::string& name_or_path) {
 void complete_scenario(Scenario& scenario) {
   scenario.model.held = held_ends(scenario.hold);
   if (scenario.kind == ScenarioKind::kBend && scenario.hold != "both") {
-    throw BadInput(fmt::format("hold is '{}', but cuboid-bend turns the second of two held ends: it must be both",
-                               scenario.hold));
+    throw BadInput(fmt::format(
+        "hold is '{}', but cuboid-bend turns the second of two held ends: it must be both", scenario.hold));
   }
   if (!scenario.node_given) scenario.node_mm = default_node_mm(scenario);
 }

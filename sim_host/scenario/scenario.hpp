@@ -1,5 +1,5 @@
-// A scenario: a body, who moves it and how, and what is recorded. It starts as one of the built-in ones; a .toml file
-// and then command-line flags change its parameters (parameter_table.hpp).
+// A scenario: a body, who moves it and how, and what is recorded. It starts as one of the built-in ones; a
+// .toml file and then command-line flags change its parameters (parameter_table.hpp).
 #pragma once
 
 #include "model_parameters.hpp"

@@ -43,8 +43,8 @@ std::string text_of(const toml::node& node, const Parameter& parameter, const st
   if (const auto* flag = node.as_boolean()) return flag->get() ? "on" : "off";
   if (const auto* text = node.as_string()) {
     if (std::holds_alternative<Field<std::string>>(parameter.access)) return text->get();
-    throw BadInput(
-        fmt::format("{}{} is text, but must be {} without quotes", place, parameter.key, describe_range(parameter)));
+    throw BadInput(fmt::format("{}{} is text, but must be {} without quotes", place, parameter.key,
+                               describe_range(parameter)));
   }
   if (const auto* array = node.as_array()) {
     std::vector<std::string> items;
@@ -54,14 +54,16 @@ std::string text_of(const toml::node& node, const Parameter& parameter, const st
   throw BadInput(fmt::format("{}{} must be {}", place, parameter.key, describe_range(parameter)));
 }
 
-void read_region(const toml::table& table, const std::string& path, Scenario& scenario, RegionParameters region) {
+void read_region(const toml::table& table, const std::string& path, Scenario& scenario,
+                 RegionParameters region) {
   Scenario reader = scenario;
   reader.model.regions = {region};
   for (const auto& [key, node] : table) {
-    const std::string place = place_of(path, node.source());
+    const std::string place = place_of(path, key.source());
     const Parameter* parameter = find_parameter(std::string(key.str()));
     if (parameter == nullptr || !std::holds_alternative<double RegionParameters::*>(parameter->access)) {
-      throw BadInput(fmt::format("{}a [[region]] has no key '{}'; its keys are {}", place, key.str(), kRegionKeys));
+      throw BadInput(
+          fmt::format("{}a [[region]] has no key '{}'; its keys are {}", place, key.str(), kRegionKeys));
     }
     set_parameter(reader, *parameter, text_of(node, *parameter, place), place);
   }
@@ -107,11 +109,11 @@ Scenario read_scenario_file(const std::string& path) {
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
     if (name == "scenario" || name == "region") continue;
-    const std::string place = place_of(path, node.source());
+    const std::string place = place_of(path, key.source());
     const Parameter* parameter = find_parameter(name);
     if (parameter == nullptr || (parameter->kinds & kind_bit(scenario.kind)) == 0) {
-      throw BadInput(fmt::format("{}{} has no key '{}'; its keys are {}, region", place, kind_name(scenario.kind), name,
-                                 list_keys(kind_bit(scenario.kind))));
+      throw BadInput(fmt::format("{}{} has no key '{}'; its keys are {}, region", place,
+                                 kind_name(scenario.kind), name, list_keys(kind_bit(scenario.kind))));
     }
     set_parameter(scenario, *parameter, text_of(node, *parameter, place), place);
   }

@@ -16,8 +16,8 @@ struct Source {
   const std::string& place;
 
   [[noreturn]] void refuse() const {
-    throw BadInput(fmt::format("{}{} is '{}', but must be {}{}", place, parameter.key, text, describe_range(parameter),
-                               parameter.unit.empty() ? "" : " " + parameter.unit));
+    throw BadInput(
+        fmt::format("{}{} is '{}', but must be {}", place, parameter.key, text, describe_range(parameter)));
   }
 };
 
@@ -54,7 +54,8 @@ void assign(bool& value, const Source& source) {
 
 void assign(std::string& value, const Source& source) {
   const auto& choices = source.parameter.choices;
-  const bool known = choices.empty() || std::find(choices.begin(), choices.end(), source.text) != choices.end();
+  const bool known =
+      choices.empty() || std::find(choices.begin(), choices.end(), source.text) != choices.end();
   if (!known || source.text.empty()) source.refuse();
   value = source.text;
 }
@@ -73,7 +74,8 @@ void assign(std::vector<int>& value, const Source& source) {
 
 }  // namespace
 
-void set_parameter(Scenario& scenario, const Parameter& parameter, const std::string& text, const std::string& place) {
+void set_parameter(Scenario& scenario, const Parameter& parameter, const std::string& text,
+                   const std::string& place) {
   const Source source{parameter, text, place};
   std::visit(
       [&](auto access) {

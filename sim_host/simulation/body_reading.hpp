@@ -9,10 +9,14 @@
 
 namespace palpate::sim {
 
+/// For node_mm of a scenario.
+inline constexpr double kNodeToleranceMm = 10.0;
+
 template <class Profile>
 void require_started(Status status) {
   if (status == Status::kDone) return;
-  throw BadInput(fmt::format("the model does not fit profile {}: take a lower level or a larger profile", Profile::kName));
+  throw BadInput(fmt::format("the model does not fit profile {}: take a lower level or a larger profile",
+                             Profile::kName));
 }
 
 template <class Profile>
@@ -20,17 +24,19 @@ Totals read_totals(const State<Profile>& state) {
   return Totals{state.forest.leaf_count, state.forest.nodes.used(), state.groups.count, state.clamps};
 }
 
-/// The live node nearest to a rest position; BadInput when that is farther than the model's grasp reach.
+/// The node nearest to the scenario's at rest; BadInput when that is too far away.
 template <class Profile>
-uint16_t find_node(const State<Profile>& state, const Scenario& scenario, const std::array<double, 3>& mm) {
-  const uint16_t node = nearest_node(state.forest, from_mm(mm, scenario.model), state.model.grasp_reach);
+uint16_t find_node(const State<Profile>& state, const Scenario& scenario, double farthest_mm) {
+  const auto& mm = scenario.node_mm;
+  const auto reach = to_fixed<Position>(std::min(farthest_mm * 1e-3 / scenario.model.edge_m, 4.0));
+  const uint16_t node = nearest_node(state.forest, from_mm(mm, scenario.model), reach);
   if (node != kNone) return node;
   const auto& cubes = scenario.model.cubes;
   const double edge_mm = scenario.model.edge_m * 1e3;
-  throw BadInput(fmt::format("no node is within {:g} mm of ({:g}, {:g}, {:g}) mm; the block fills (0, 0, 0) to ({:g}, "
-                             "{:g}, {:g}) mm",
-                             scenario.model.grasp_reach_m * 1e3, mm[0], mm[1], mm[2], cubes[0] * edge_mm,
-                             cubes[1] * edge_mm, cubes[2] * edge_mm));
+  throw BadInput(fmt::format(
+      "no node is within {:g} mm of ({:g}, {:g}, {:g}) mm; the block fills (0, 0, 0) to ({:g}, "
+      "{:g}, {:g}) mm",
+      farthest_mm, mm[0], mm[1], mm[2], cubes[0] * edge_mm, cubes[1] * edge_mm, cubes[2] * edge_mm));
 }
 
 template <class Profile>
@@ -40,6 +46,21 @@ std::array<double, 3> displacement_mm(const State<Profile>& state, uint16_t node
   std::array<double, 3> mm{};
   for (std::size_t axis = 0; axis < 3; ++axis) mm[axis] = (now[axis] - rest[axis]) * edge_m * 1e3;
   return mm;
+}
+
+/// Nodes so ordered that the triangle's normal points away from `inside`.
+inline std::array<uint32_t, 3> facing_away(const std::array<uint32_t, 3>& triangle, uint32_t inside,
+                                           const std::vector<std::array<double, 3>>& at) {
+  const auto edge = [&](uint32_t to) {
+    const auto& p = at[triangle[0]];
+    return std::array<double, 3>{at[to][0] - p[0], at[to][1] - p[1], at[to][2] - p[2]};
+  };
+  const auto a = edge(triangle[1]);
+  const auto b = edge(triangle[2]);
+  const auto c = edge(inside);
+  const double volume = c[0] * (a[1] * b[2] - a[2] * b[1]) + c[1] * (a[2] * b[0] - a[0] * b[2]) +
+                        c[2] * (a[0] * b[1] - a[1] * b[0]);
+  return volume < 0.0 ? triangle : std::array<uint32_t, 3>{triangle[0], triangle[2], triangle[1]};
 }
 
 template <class Profile>
@@ -58,7 +79,7 @@ BodyShape read_shape(const State<Profile>& state, const ModelParameters& model) 
     for (std::size_t face = 0; face < 4; ++face) {
       if (leaf.neighbour[face] != kNone) continue;
       const auto at = [&](std::size_t k) { return place[leaf.node[(face + k) % 4]]; };
-      shape.triangles.push_back({at(1), at(2), at(3)});
+      shape.triangles.push_back(facing_away({at(1), at(2), at(3)}, at(0), shape.rest_mm));
     }
   }
   return shape;

@@ -16,7 +16,8 @@ constexpr int kDeepestAutomaticLevel = 6;
 int64_t tets_at(const ModelParameters& model, int level) {
   int64_t cubes = int64_t{model.cubes[0]} * model.cubes[1] * model.cubes[2];
   if (!model.region_of_cube.empty()) {
-    cubes = std::count_if(model.region_of_cube.begin(), model.region_of_cube.end(), [](int r) { return r >= 0; });
+    cubes =
+        std::count_if(model.region_of_cube.begin(), model.region_of_cube.end(), [](int r) { return r >= 0; });
   }
   return cubes * kRootsPerCube << level;
 }
@@ -44,11 +45,12 @@ template <class Profile>
     throw BadInput(fmt::format("{} cubes do not fit profile {} even at level 0: take a larger profile",
                                tets_at(scenario.model, 0) / kRootsPerCube, Profile::kName));
   }
-  throw BadInput(fmt::format(
-      "level {} of this block has {} tets, but profile {} holds {} tets and {} nodes down to level {}: take level {} or "
-      "less, or a larger profile",
-      scenario.model.level, tets_at(scenario.model, scenario.model.level), Profile::kName, Profile::kLeaves,
-      Profile::kNodes, Profile::kMaxLevel, deepest));
+  throw BadInput(
+      fmt::format("level {} of this block has {} tets, but profile {} holds {} tets and {} nodes down to "
+                  "level {}: take level {} or "
+                  "less, or a larger profile",
+                  scenario.model.level, tets_at(scenario.model, scenario.model.level), Profile::kName,
+                  Profile::kLeaves, Profile::kNodes, Profile::kMaxLevel, deepest));
 }
 
 template <class Profile>
@@ -56,7 +58,8 @@ Fit fit(Scenario& scenario) {
   const auto state = std::make_unique<State<Profile>>();
   int& level = scenario.model.level;
   if (level == Scenario::kAutomaticLevel) level = deepest_level(scenario, *state);
-  const bool may_fit = level >= 0 && level <= Profile::kMaxLevel && tets_at(scenario.model, level) <= Profile::kLeaves;
+  const bool may_fit =
+      level >= 0 && level <= Profile::kMaxLevel && tets_at(scenario.model, level) <= Profile::kLeaves;
   if (!may_fit || try_level(scenario, level, *state) != Status::kDone) refuse(scenario, *state);
   return Fit{state->forest.leaf_count, state->forest.nodes.used(), sizeof(State<Profile>),
              sizeof(firmware::CycleState<Profile>)};

@@ -12,8 +12,8 @@ struct Fit {
   std::size_t cycle_state_bytes;  // with the device
 };
 
-/// Gives an automatic level its value: the deepest up to 6 that the profile holds. Throws BadInput when the level does
-/// not fit, or none does.
+/// Gives an automatic level its value: the deepest up to 6 that the profile holds. Throws BadInput when the
+/// level does not fit, or none does.
 Fit fit_to_profile(Scenario& scenario);
 
 }  // namespace palpate::sim

@@ -17,7 +17,7 @@ class DeviceSimulation final : public Simulation {
     const firmware::CycleModel model{compile_model(scenario.model),
                                      compile_scene(scenario.grasp.scene, scenario.model)};
     require_started<Profile>(firmware::start(*state_, model));
-    watched_ = find_node(state_->core, scenario_, scenario_.node_mm);
+    watched_ = find_node(state_->core, scenario_, kNodeToleranceMm);
   }
 
   bool advance() override {
@@ -28,6 +28,8 @@ class DeviceSimulation final : public Simulation {
     firmware::Actuators actuators{};
     firmware::NoProbe probe;
     firmware::cycle(*state_, sensors, actuators, probe);
+    was_button_pressed_ = was_button_pressed_ || sensors.grasp_button;
+    was_grasping_ = was_grasping_ || state_->core.grasp.holds();
     return state_->fault == firmware::Fault::kNone && state_->core.tick < rows_.size();
   }
   [[nodiscard]] Sample sample() const override {
@@ -61,6 +63,10 @@ class DeviceSimulation final : public Simulation {
     return values;
   }
   [[nodiscard]] std::optional<std::string> failure() const override {
+    if (was_button_pressed_ && !was_grasping_) {
+      return fmt::format("nothing was grasped: no node was within {:g} mm of the tool (grasp_reach_m)",
+                         scenario_.model.grasp_reach_m * 1e3);
+    }
     if (state_->fault == firmware::Fault::kNone) return std::nullopt;
     return fmt::format("the cycle stopped with fault {} after {} ticks", static_cast<int>(state_->fault),
                        state_->core.tick);
@@ -71,6 +77,8 @@ class DeviceSimulation final : public Simulation {
   std::vector<firmware::ScriptRow> rows_;
   std::unique_ptr<firmware::CycleState<Profile>> state_;
   uint16_t watched_;
+  bool was_button_pressed_ = false;
+  bool was_grasping_ = false;
 };
 
 }  // namespace

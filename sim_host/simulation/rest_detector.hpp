@@ -14,8 +14,8 @@ struct RestLimits {
   double force;         // E_ref edge^2
 };
 
-/// At rest: over 500 ticks no node moved by more than the first limit from where it was, and no free node's force was
-/// above the second.
+/// At rest: over 500 ticks no node moved by more than the first limit from where it was, and no free node's
+/// force was above the second.
 template <class Profile>
 class RestDetector {
  public:
@@ -32,8 +32,9 @@ class RestDetector {
     for (uint32_t i = 0; i < forest.nodes.used() && is_still; ++i) {
       const uint16_t node = forest.nodes.live(i);
       const bool is_free = solve.control[node] == NodeControl::kFree;
-      is_still = is_below(Vector3<Position>(forest.node.position[node] - (*from_)[node]), displacement_raw_) &&
-                 (!is_free || is_below(forest.node.force[node], force_raw_));
+      is_still =
+          is_below(Vector3<Position>(forest.node.position[node] - (*from_)[node]), displacement_raw_) &&
+          (!is_free || is_below(forest.node.force[node], force_raw_));
     }
     if (!is_still) *from_ = forest.node.position;
     still_ticks_ = is_still ? still_ticks_ + 1 : 1;

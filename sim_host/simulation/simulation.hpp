@@ -1,4 +1,5 @@
-// A scenario that can be advanced a tick at a time and looked at, whatever its profile and its way of moving the tool.
+// A scenario that can be advanced a tick at a time and looked at, whatever its profile and its way of moving
+// the tool.
 #pragma once
 
 #include <memory>
@@ -10,7 +11,7 @@ namespace palpate::sim {
 
 /// What a tick did. Positions in the body's file frame: origin at the block's low corner.
 struct Sample {
-  uint32_t tick;                          // ticks done, this one included
+  uint32_t tick;  // ticks done, this one included
   std::array<double, 3> tool_mm;
   std::array<double, 3> displacement_mm;  // of the watched node from its rest position
   std::array<double, 3> force_n;          // of the tissue on the tool, or on the turned end
@@ -27,7 +28,7 @@ struct Totals {
 struct BodyShape {
   std::vector<std::array<double, 3>> rest_mm;
   std::vector<std::array<double, 3>> now_mm;
-  std::vector<std::array<uint32_t, 3>> triangles;  // of the surface: indices of nodes
+  std::vector<std::array<uint32_t, 3>> triangles;  // of the surface, normals outwards: places of nodes above
 };
 
 class Simulation {

@@ -4,6 +4,7 @@
 #
 # A golden file changes only when the simulation is meant to change, and then CHANGELOG.md gets a line that says so:
 #   PALPATE_UPDATE_GOLDEN=1 ctest --preset host -R '^determinism\.golden'
+cmake_minimum_required(VERSION 3.25)
 set(command)
 set(in_command FALSE)
 math(EXPR last "${CMAKE_ARGC} - 1")

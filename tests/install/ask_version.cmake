@@ -1,4 +1,5 @@
 # A program that asks for the next minor version must not get this one.
+cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(GLOB_RECURSE version_file ${PREFIX}/*/palpate-config-version.cmake)
 file(STRINGS ${version_file} line REGEX "^set\\(PACKAGE_VERSION \"")

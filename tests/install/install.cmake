@@ -1,4 +1,5 @@
 # Installs the build to PREFIX, and looks at what came: the headers, the libraries, the package, the program, no more.
+cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE ${PREFIX})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX})

@@ -1,4 +1,5 @@
 # Builds and runs docs/examples with the library as a WAY: package or subdirectory.
+cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 set(build ${WORK}/${WAY})
 file(REMOVE_RECURSE ${build})

@@ -32,7 +32,8 @@ Deformed deform(const Shape& shape, const Matrix3d& f, const Vector3d& shift) {
   Deformed deformed;
   for (uint32_t i = 0; i < 4; ++i) {
     const LatticePoint p = shape.corner[i];
-    deformed.w[i] = fixed_vector<Position>(f * Vector3d(p.x, p.y, p.z) / double{kLatticeStepsPerEdge} + shift);
+    deformed.w[i] =
+        fixed_vector<Position>(f * Vector3d(p.x, p.y, p.z) / double{kLatticeStepsPerEdge} + shift);
     deformed.x.push_back(doubles(deformed.w[i]));
   }
   return deformed;
@@ -54,8 +55,8 @@ TEST(ElementForce, ShapesCoverAllTypesAndOrientations) {
     ++of_type[static_cast<uint32_t>(type_of_level(shape.level))];
     deepest = std::max(deepest, shape.level);
   }
-  std::printf("%zu shapes, of each type %u, %u, %u, down to level %u\n", shapes().size(), of_type[0], of_type[1],
-              of_type[2], unsigned{deepest});
+  std::printf("%zu shapes, of each type %u, %u, %u, down to level %u\n", shapes().size(), of_type[0],
+              of_type[1], of_type[2], unsigned{deepest});
   for (const uint32_t count : of_type) EXPECT_GE(count, 24u);
   EXPECT_EQ(deepest, 12);
 }
@@ -130,8 +131,8 @@ void compare_forces(const Shape& shape, const Deformed& d, const Matrix3d& rotat
   ASSERT_EQ(sum, zero_vector<Force>());
   if (clamped != 0) return;
   const reference::Element element = shape.element();
-  const reference::ElementForces expected = reference::forces_of(
-      element, reference::deformation_gradient(element, d.x), doubles(r), elastic.exact);
+  const reference::ElementForces expected =
+      reference::forces_of(element, reference::deformation_gradient(element, d.x), doubles(r), elastic.exact);
   // A nodal force is made of at most 4 edge forces (f2 of TYPE2).
   const double bound = edge_force_bound(elastic.fixed, shape.level);
   for (uint32_t i = 0; i < 4; ++i) {
@@ -139,7 +140,8 @@ void compare_forces(const Shape& shape, const Deformed& d, const Matrix3d& rotat
     for (uint32_t k = 0; k < 3; ++k) {
       parts += std::abs(kEdgeCoefficients[static_cast<uint32_t>(type_of_level(shape.level))][k][i]);
     }
-    const double error = std::ldexp((doubles(f[i]) - expected[i]).cwiseAbs().maxCoeff(), Force::kFractionBits);
+    const double error =
+        std::ldexp((doubles(f[i]) - expected[i]).cwiseAbs().maxCoeff(), Force::kFractionBits);
     compared.worst_lsb = std::max(compared.worst_lsb, error / parts);
     compared.worst_over_bound = std::max(compared.worst_over_bound, error / (parts * bound));
     ASSERT_LE(error, parts * bound) << "level " << unsigned{shape.level} << " node " << i;
@@ -156,8 +158,9 @@ TEST(ElementForce, AgreesWithDoubles) {
       for (int i = 0; i < 60; ++i) {
         const double strength = random.unit();
         const Matrix3d r = random.rotation();
-        const Matrix3d stretch = Matrix3d::Identity() + strength * 0.3 * (Matrix3d() << random.vector(),
-                                                        random.vector(), random.vector()).finished();
+        const Matrix3d stretch =
+            Matrix3d::Identity() +
+            strength * 0.3 * (Matrix3d() << random.vector(), random.vector(), random.vector()).finished();
         const Matrix3d groups = r * Eigen::AngleAxisd(0.5 * strength, random.direction()).toRotationMatrix();
         ASSERT_NO_FATAL_FAILURE(
             compare_forces(shape, deform(shape, r * stretch, random.vector()), groups, elastic, compared));
@@ -180,8 +183,9 @@ RC_GTEST_PROP(ElementForce, SumsToZero, ()) {
   Deformed d = deform(shape, f, Vector3d::Zero());
   for (auto& w : d.w) w = within_position_limit(w);
   uint32_t clamped = 0;
-  const EdgeForces t = corotated_edge_forces(edges_of(shape, d), shape.axes, shape.level,
-                                             fixed_matrix<RotationEntry>(random.rotation()), elastic.fixed, clamped);
+  const EdgeForces t =
+      corotated_edge_forces(edges_of(shape, d), shape.axes, shape.level,
+                            fixed_matrix<RotationEntry>(random.rotation()), elastic.fixed, clamped);
   std::array<Vector3<Force>, 4> forces;
   for (auto& node : forces) node = zero_vector<Force>();
   add_nodal_forces(type_of_level(shape.level), t, forces[0], forces[1], forces[2], forces[3]);

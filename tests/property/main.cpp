@@ -1,4 +1,5 @@
-// The seed is fixed, so that every run of the tests is the same run; RC_PARAMS in the environment overrides it.
+// The seed is fixed, so that every run of the tests is the same run; RC_PARAMS in the environment overrides
+// it.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

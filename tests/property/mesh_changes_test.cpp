@@ -1,5 +1,5 @@
-// Random bisections and merges, one patch at a time, on blocks of all kinds: after every operation the leaves that it
-// touched and their neighbours hold all invariants, and every 1000 operations the whole forest does.
+// Random bisections and merges, one patch at a time, on blocks of all kinds: after every operation the leaves
+// that it touched and their neighbours hold all invariants, and every 1000 operations the whole forest does.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -97,8 +97,9 @@ template <class Profile>
 void walk(const Block& block, uint64_t seed, uint32_t operations) {
   Walk<Profile> walk(block, seed);
   walk.run(operations);
-  std::printf("%u bisections, %u merges, %u refused, at most %u leaves, %u tets in a patch\n", walk.bisections,
-              walk.merges, walk.refusals, static_cast<unsigned>(walk.most_leaves), walk.largest_patch);
+  std::printf("%u bisections, %u merges, %u refused, at most %u leaves, %u tets in a patch\n",
+              walk.bisections, walk.merges, walk.refusals, static_cast<unsigned>(walk.most_leaves),
+              walk.largest_patch);
   EXPECT_GT(walk.bisections, operations / 3);
   EXPECT_GT(walk.merges, operations / 3);
 }
@@ -106,8 +107,12 @@ void walk(const Block& block, uint64_t seed, uint32_t operations) {
 uint32_t operations() { return in_soak(1000000u, 100000u); }
 
 TEST(MeshChanges, KeepTheBarWhole) { walk<Bar>(bar_block(), 1, operations()); }
-TEST(MeshChanges, KeepANotchedBlockWhole) { walk<TestProfile<4000, 1500, 9>>(notched_block(), 2, operations() / 2); }
-TEST(MeshChanges, KeepADeepCubeWhole) { walk<TestProfile<3000, 1200, 14>>(full_block(1, 1, 1), 3, operations() / 2); }
+TEST(MeshChanges, KeepANotchedBlockWhole) {
+  walk<TestProfile<4000, 1500, 9>>(notched_block(), 2, operations() / 2);
+}
+TEST(MeshChanges, KeepADeepCubeWhole) {
+  walk<TestProfile<3000, 1200, 14>>(full_block(1, 1, 1), 3, operations() / 2);
+}
 TEST(MeshChanges, SurviveAForestThatIsOftenFull) {
   walk<TestProfile<150, 64, 14>>(full_block(2, 1, 1), 4, operations() / 4);
 }
@@ -131,7 +136,8 @@ RC_GTEST_PROP(MeshChanges, AnyShortSequenceKeepsACubeWhole, (const std::vector<u
   }
 }
 
-/// Bisects a patch anywhere in a random mesh and merges it again: nothing remains of it, to the last mass unit.
+/// Bisects a patch anywhere in a random mesh and merges it again: nothing remains of it, to the last mass
+/// unit.
 TEST(MeshChanges, MergeIsTheInverseOfBisect) {
   Random random(6);
   auto forest = roots_of<Deep>(notched_block(), kTwoDensities);
@@ -166,7 +172,8 @@ TEST(MeshChanges, ANewNodeIsTheMeanOfItsEdge) {
   }
   for (uint32_t round = 0; round < 100; ++round) {
     Patch patch{};
-    ASSERT_EQ(find_ready_patch(*forest, forest->leaf[random.below(forest->leaf_count)].tet, patch), MeshStatus::kDone);
+    ASSERT_EQ(find_ready_patch(*forest, forest->leaf[random.below(forest->leaf_count)].tet, patch),
+              MeshStatus::kDone);
     const Leaf leaf = forest->leaf_of(patch.tet[0]);
     const uint32_t end = refinement_end(type_of_level(leaf.level));
     ASSERT_EQ(bisect(*forest, patch), MeshStatus::kDone);

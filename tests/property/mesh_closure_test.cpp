@@ -1,5 +1,5 @@
-// What one request costs: bisecting a leaf asks for coarser patches first, and their number and the descent to them
-// are bounded by its level.
+// What one request costs: bisecting a leaf asks for coarser patches first, and their number and the descent
+// to them are bounded by its level.
 #include <gtest/gtest.h>
 
 #include "support/forests.hpp"
@@ -68,7 +68,8 @@ void refine_where(Forest<Deep>& forest, uint8_t level, Cost& cost, IsWanted is_w
 
 template <class OnPart>
 bool touches(const Forest<Deep>& forest, const Leaf& leaf, OnPart on_part) {
-  return std::any_of(leaf.node.begin(), leaf.node.end(), [&](uint16_t n) { return on_part(forest.node.rest[n]); });
+  return std::any_of(leaf.node.begin(), leaf.node.end(),
+                     [&](uint16_t n) { return on_part(forest.node.rest[n]); });
 }
 
 TEST(MeshClosure, RefinesACornerToTheDeepestLevel) {
@@ -76,8 +77,9 @@ TEST(MeshClosure, RefinesACornerToTheDeepestLevel) {
   for (const LatticePoint corner : {block.corner(0, 0, 0), block.corner(1, 0, 0), block.corner(1, 1, 3)}) {
     auto forest = roots_of<Deep>(block);
     Cost cost;
-    refine_where(*forest, 14, cost,
-                 [&](const Leaf& leaf) { return touches(*forest, leaf, [&](LatticePoint p) { return p == corner; }); });
+    refine_where(*forest, 14, cost, [&](const Leaf& leaf) {
+      return touches(*forest, leaf, [&](LatticePoint p) { return p == corner; });
+    });
     EXPECT_EQ(check_forest(*forest, block), Violation::kNothing);
     std::printf("%u leaves, %u nodes\n", unsigned{forest->leaf_count}, unsigned{forest->nodes.used()});
     expect_bounded(cost);

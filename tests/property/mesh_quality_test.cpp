@@ -45,7 +45,8 @@ TEST(MeshQuality, OnlyThreeShapesOccur) {
   double worst_radius = 0.0;
   for (uint32_t i = 0; i < forest->leaf_count; ++i) {
     const auto& tet = mesh.tet[i];
-    const Quality quality = quality_of({mesh.rest[tet[0]], mesh.rest[tet[1]], mesh.rest[tet[2]], mesh.rest[tet[3]]});
+    const Quality quality =
+        quality_of({mesh.rest[tet[0]], mesh.rest[tet[1]], mesh.rest[tet[2]], mesh.rest[tet[3]]});
     const auto type = static_cast<uint32_t>(type_of_level(forest->leaf[i].level));
     ASSERT_NEAR(quality.aspect_ratio, kAspectRatio[type], 5e-4);
     ASSERT_NEAR(quality.radius_to_edge, kRadiusToEdge[type], 5e-4);

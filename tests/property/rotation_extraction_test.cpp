@@ -106,7 +106,8 @@ uint64_t any_seed() { return *rc::gen::noShrink(rc::gen::arbitrary<uint64_t>());
 
 bool is_unit_rotation(const Quaternion& q) {
   const Matrix3d r = doubles(rotation_matrix(q));
-  const bool orthogonal = (r.transpose() * r - Matrix3d::Identity()).cwiseAbs().maxCoeff() < std::ldexp(16.0, -30);
+  const bool orthogonal =
+      (r.transpose() * r - Matrix3d::Identity()).cwiseAbs().maxCoeff() < std::ldexp(16.0, -30);
   return norm_error(q) <= 8.0 && orthogonal && r.determinant() > 0.99;
 }
 

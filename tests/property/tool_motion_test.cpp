@@ -1,5 +1,5 @@
-// Random tools that grasp, pull at up to 1 m/s and let go. In the checked build (PALPATE_CHECKED) any operation that
-// leaves its range aborts, so there these tests are the proof that none does.
+// Random tools that grasp, pull at up to 1 m/s and let go. In the checked build (PALPATE_CHECKED) any
+// operation that leaves its range aborts, so there these tests are the proof that none does.
 #include <gtest/gtest.h>
 
 #include "support/bodies.hpp"
@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 /// A tool that goes from place to place near the body at up to `speed_m_s`.
 class Wanderer {
  public:
-  Wanderer(Random& random, double edge_m, double speed_m_s) : random_(random), step_(speed_m_s * 1e-3 / edge_m) {}
+  Wanderer(Random& random, double edge_m, double speed_m_s)
+      : random_(random), step_(speed_m_s * 1e-3 / edge_m) {}
 
   Vector3<Position> next() {
     if ((goal_ - at_).norm() < step_) goal_ = random_.vector().cwiseProduct(Vector3d(1.0, 1.0, 2.0));

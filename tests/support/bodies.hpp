@@ -71,7 +71,8 @@ inline reference::BodyInput reference_input(const TickInput& input, double edge_
   reference::BodyInput out;
   out.tool = reference::in_metres(input.tool, edge_m);
   out.close_grasp = input.close_grasp;
-  for (uint32_t i = 0; i < kHolds; ++i) out.hold_motion[i] = reference::rigid_motion(input.hold_motion[i], edge_m);
+  for (uint32_t i = 0; i < kHolds; ++i)
+    out.hold_motion[i] = reference::rigid_motion(input.hold_motion[i], edge_m);
   return out;
 }
 

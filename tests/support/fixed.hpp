@@ -31,7 +31,8 @@ Eigen::Vector3d doubles(const Vector3<Scalar>& v) {
 }
 
 inline Eigen::Quaterniond doubles(const Quaternion& q) {
-  return Eigen::Quaterniond(sim::to_double(q.w), sim::to_double(q.x), sim::to_double(q.y), sim::to_double(q.z));
+  return Eigen::Quaterniond(sim::to_double(q.w), sim::to_double(q.x), sim::to_double(q.y),
+                            sim::to_double(q.z));
 }
 
 inline Quaternion fixed_quaternion(const Eigen::Matrix3d& r) {
@@ -41,6 +42,8 @@ inline Quaternion fixed_quaternion(const Eigen::Matrix3d& r) {
 }
 
 /// How far |q|^2 is from 1, in LSB of 2^-30.
-inline double norm_error(const Quaternion& q) { return std::abs(std::ldexp(doubles(q).squaredNorm() - 1.0, 30)); }
+inline double norm_error(const Quaternion& q) {
+  return std::abs(std::ldexp(doubles(q).squaredNorm() - 1.0, 30));
+}
 
 }  // namespace palpate::test

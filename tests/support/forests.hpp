@@ -26,7 +26,8 @@ struct TestProfile {
 using Bar = TestProfile<1152, 512, 9>;
 using Deep = TestProfile<30000, 9000, 14>;
 
-inline constexpr std::array<uint16_t, kRegions> kOneDensity = {2048, 2048, 2048, 2048, 2048, 2048, 2048, 2048};
+inline constexpr std::array<uint16_t, kRegions> kOneDensity = {2048, 2048, 2048, 2048,
+                                                               2048, 2048, 2048, 2048};
 
 inline Block full_block(uint8_t x, uint8_t y, uint8_t z) {
   Block block{};
@@ -41,7 +42,8 @@ inline Block full_block(uint8_t x, uint8_t y, uint8_t z) {
 /// The paper's cuboid.
 inline Block bar_block() { return full_block(1, 1, 3); }
 
-/// 3 x 2 x 2 with a corner and a middle cube missing and two materials: concave edges, faces of all directions.
+/// 3 x 2 x 2 with a corner and a middle cube missing and two materials: concave edges, faces of all
+/// directions.
 inline Block notched_block() {
   Block block = full_block(3, 2, 2);
   block.region[0] = Block::kAbsent;
@@ -72,15 +74,16 @@ using Corners = std::array<Point, 4>;
 
 inline Point point_of(LatticePoint p) { return Point(p.x, p.y, p.z); }
 
-/// A mesh without the order of its pools: leaves by their corners, with those of their neighbours, and masses by
-/// place. Two forests with equal content are the same mesh.
+/// A mesh without the order of its pools: leaves by their corners, with those of their neighbours, and masses
+/// by place. Two forests with equal content are the same mesh.
 struct Content {
   struct LeafContent {
     std::array<Corners, 4> neighbour;
     uint16_t axes;
     uint8_t level, region;
     friend bool operator==(const LeafContent& a, const LeafContent& b) {
-      return std::tie(a.neighbour, a.axes, a.level, a.region) == std::tie(b.neighbour, b.axes, b.level, b.region);
+      return std::tie(a.neighbour, a.axes, a.level, a.region) ==
+             std::tie(b.neighbour, b.axes, b.level, b.region);
     }
   };
   std::map<Corners, LeafContent> leaf;
@@ -121,7 +124,8 @@ uint32_t merge_all(Forest<Profile>& forest) {
   for (uint8_t level = Profile::kMaxLevel; level > 0; --level) {
     for (uint32_t i = 0; i < forest.leaf_count;) {
       Patch patch{};
-      if (forest.leaf[i].level != level || find_merge(forest, forest.leaf[i].tet, patch) != MeshStatus::kDone) {
+      if (forest.leaf[i].level != level ||
+          find_merge(forest, forest.leaf[i].tet, patch) != MeshStatus::kDone) {
         ++i;
         continue;
       }

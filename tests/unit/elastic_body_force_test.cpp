@@ -1,4 +1,5 @@
-// Elastic forces of whole bodies: none without deformation, no net force ever, and a bar that pulls like a bar.
+// Elastic forces of whole bodies: none without deformation, no net force ever, and a bar that pulls like a
+// bar.
 #include <gtest/gtest.h>
 
 #include "support/bodies.hpp"
@@ -25,7 +26,7 @@ template <class Map>
 void place(State<Profile>& state, Map map) {
   for (uint32_t i = 0; i < state.forest.nodes.used(); ++i) {
     const uint16_t node = state.forest.nodes.live(i);
-    const auto x = map(doubles(rest_position(state.forest.node.rest[node])));
+    const Vector3d x = map(doubles(rest_position(state.forest.node.rest[node])));
     state.forest.node.position[node] = fixed_vector<Position>(x);
   }
 }
@@ -33,7 +34,8 @@ void place(State<Profile>& state, Map map) {
 double largest_force(const State<Profile>& state) {
   double largest = 0.0;
   for (uint32_t i = 0; i < state.forest.nodes.used(); ++i) {
-    largest = std::max(largest, doubles(state.forest.node.force[state.forest.nodes.live(i)]).cwiseAbs().maxCoeff());
+    largest =
+        std::max(largest, doubles(state.forest.node.force[state.forest.nodes.live(i)]).cwiseAbs().maxCoeff());
   }
   return largest;
 }
@@ -52,8 +54,8 @@ TEST(BodyForce, IsZeroAtRest) {
   }
 }
 
-/// Turned by any angle in steps that the extraction follows. What remains comes from rounded positions: half an LSB
-/// of 2^-27 in a node is a strain of 2^(size - 27), times lambda.
+/// Turned by any angle in steps that the extraction follows. Rounded positions are strains of about 2^(size -
+/// 27), below the strain's own half LSB of 2^-25 for large tets: e is exactly zero, and so is the force.
 TEST(BodyForce, IsNearlyZeroAfterARigidMotion) {
   Random random(81);
   for (const int level : {3, 5, 6}) {
@@ -65,13 +67,13 @@ TEST(BodyForce, IsNearlyZeroAfterARigidMotion) {
       const double angle = 3.0 * random.unit();
       for (int step = 1; step <= 20; ++step) {
         const Matrix3d r = Eigen::AngleAxisd(angle * step / 20.0, axis).toRotationMatrix();
-        place(*state, [&](const Vector3d& x0) { return r * x0 + shift; });
+        place(*state, [&](const Vector3d& x0) { return Vector3d(r * x0 + shift); });
         update(*state, 2);
       }
       worst = std::max(worst, largest_force(*state));
     }
     std::printf("level %d: %.1f LSB after a rigid motion\n", level, worst / kForceLsb);
-    EXPECT_LT(worst, 24 * kForceLsb);
+    EXPECT_LE(worst, 2 * kForceLsb);
   }
 }
 
@@ -125,7 +127,8 @@ TEST(BodyForce, OfAStretchedBarIsYoungsModulus) {
         const bool top = state->forest.node.rest[node].z == 48;
         const bool bottom = state->forest.node.rest[node].z == -48;
         pull += top ? -f[2] : 0.0;
-        elsewhere = std::max({elsewhere, std::abs(f[0]), std::abs(f[1]), top || bottom ? 0.0 : std::abs(f[2])});
+        elsewhere =
+            std::max({elsewhere, std::abs(f[0]), std::abs(f[1]), top || bottom ? 0.0 : std::abs(f[2])});
       }
       EXPECT_NEAR(pull / e, 1.0, 1e-4) << "nu " << nu << " level " << level;
       EXPECT_LT(elsewhere, 24 * kForceLsb);

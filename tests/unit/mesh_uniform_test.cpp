@@ -28,7 +28,7 @@ TEST(UniformMesh, ConformsAtEveryLevelOfEveryBlock) {
   std::array<uint16_t, kRegions> density = kOneDensity;
   density[1] = 777;
   for (const Block& block : {full_block(1, 1, 1), full_block(2, 2, 1), notched_block()}) {
-    auto forest = roots_of<TestProfile<8000, 3000, 9>>(block, density);
+    auto forest = roots_of<Deep>(block, density);
     for (uint8_t level = 0; level <= 9; ++level) {
       ASSERT_EQ(refine_uniformly(*forest, level), MeshStatus::kDone);
       ASSERT_EQ(check_forest(*forest, block), Violation::kNothing) << unsigned{level};
@@ -76,7 +76,8 @@ TEST(UniformMesh, RootsDoNotMerge) {
   }
 }
 
-/// Mirrored and translated cubes are the same mesh from level 2 on, so a body has the symmetries of its block.
+/// Mirrored and translated cubes are the same mesh from level 2 on, so a body has the symmetries of its
+/// block.
 TEST(UniformMesh, HasTheSymmetriesOfTheBlockFromLevel2On) {
   const auto mirrored_content = [](const Forest<Bar>& forest, int sx, int sy, int sz, bool swap) {
     std::set<std::set<Point>> tets;

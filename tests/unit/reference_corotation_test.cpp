@@ -151,7 +151,8 @@ TEST(StaticSolver, PullsABarLikeABar) {
   for (int z = 0; z <= 4; ++z) {
     for (int i = 0; i < 4; ++i) mesh.rest.push_back(0.01 * Vector(i & 1, i >> 1, z));
   }
-  constexpr uint32_t kKuhn[6][4] = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
+  constexpr uint32_t kKuhn[6][4] = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7},
+                                    {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
   for (uint32_t z = 0; z < 4; ++z) {
     for (const auto& tet : kKuhn) {
       mesh.tet.push_back({4 * z + tet[0], 4 * z + tet[1], 4 * z + tet[2], 4 * z + tet[3]});
@@ -190,8 +191,8 @@ TEST(CriticalStep, OfOneTetIsItsBlocksEigenvalue) {
   const Matrix block = k.bottomRightCorner<3, 3>();
   const double largest = Eigen::SelfAdjointEigenSolver<Matrix>(block).eigenvalues()[2];
   const double mass = lumped_masses(mesh, materials)[3];
-  EXPECT_NEAR(largest_angular_frequency(mesh, materials, {true, true, true, false}), std::sqrt(largest / mass),
-              1e-6 * std::sqrt(largest / mass));
+  EXPECT_NEAR(largest_angular_frequency(mesh, materials, {true, true, true, false}),
+              std::sqrt(largest / mass), 1e-6 * std::sqrt(largest / mass));
 }
 
 /// One free node of one tet, without damping, swings with the frequency of its block.

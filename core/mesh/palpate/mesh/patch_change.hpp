@@ -152,8 +152,8 @@ uint16_t make_middle_node(Forest<Profile>& forest, uint16_t end0, uint16_t end1)
 
 template <class Profile>
 MeshStatus bisect(Forest<Profile>& forest, const Patch& patch) {
-  if (!forest.pairs.has_room(patch.count)) return MeshStatus::kPairsFull;
   if (!forest.has_room_for_leaves(patch.count)) return MeshStatus::kLeavesFull;
+  if (!forest.pairs.has_room(patch.count)) return MeshStatus::kPairsFull;
   if (!forest.nodes.has_room(1)) return MeshStatus::kNodesFull;
   const Leaf& first = forest.leaf_of(patch.tet[0]);
   const uint32_t end = refinement_end(type_of_level(first.level));

@@ -69,6 +69,12 @@ constexpr auto narrow(const Eigen::MatrixBase<Derived>& accumulators) {
   return Plain(accumulators.unaryExpr([](auto acc) { return narrow<To>(acc); }));
 }
 
+/// narrow of each coefficient of a product as it is made, without a matrix of accumulators between.
+template <class To, class Left, class Right>
+constexpr auto narrow(const Eigen::Product<Left, Right, Eigen::DefaultProduct>& product) {
+  return narrow<To>(product.lhs().lazyProduct(product.rhs()));
+}
+
 template <class Scalar>
 constexpr Vector3<Scalar> zero_vector() {
   const Scalar zero = Scalar::from_raw(0);

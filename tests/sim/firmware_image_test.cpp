@@ -1,0 +1,70 @@
+// The image that the program wrote as C++ is the scenario, bit by bit. That it compiled as a constant is part
+// of the test.
+#include <gtest/gtest.h>
+
+#include "scenario/grasp_script.hpp"
+#include "simulation/capacity.hpp"
+
+namespace palpate::sim {
+namespace {
+
+using firmware::kScenarioImage;
+
+Scenario small_grasp() {
+  Scenario scenario = built_in_scenario("grasp");
+  scenario.profile = "small";
+  complete_scenario(scenario);
+  fit_to_profile(scenario);
+  return scenario;
+}
+
+TEST(FirmwareImage, HasTheScript) {
+  const auto rows = grasp_script(small_grasp());
+  ASSERT_EQ(kScenarioImage.row_count, rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(kScenarioImage.rows[i].encoder_counts, rows[i].encoder_counts);
+    EXPECT_EQ(kScenarioImage.rows[i].buttons, rows[i].buttons);
+  }
+  EXPECT_STREQ(kScenarioImage.name, "grasp");
+}
+
+TEST(FirmwareImage, HasTheBody) {
+  const Model expected = compile_model(small_grasp().model);
+  const Model& body = kScenarioImage.model.body;
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(body.block.cubes[axis], expected.block.cubes[axis]);
+  for (std::size_t i = 0; i < kMaxCubes; ++i) EXPECT_EQ(body.block.region[i], expected.block.region[i]);
+  EXPECT_EQ(body.level, expected.level);
+  for (std::size_t i = 0; i < kRegions; ++i) {
+    EXPECT_EQ(body.materials[i].shear, expected.materials[i].shear);
+    EXPECT_EQ(body.materials[i].bulk, expected.materials[i].bulk);
+  }
+  EXPECT_EQ(body.region_density, expected.region_density);
+  for (std::size_t i = 0; i < kHolds; ++i) {
+    EXPECT_EQ(body.held[i].min, expected.held[i].min);
+    EXPECT_EQ(body.held[i].max, expected.held[i].max);
+  }
+  EXPECT_EQ(body.grasp_reach, expected.grasp_reach);
+}
+
+TEST(FirmwareImage, HasTheDynamics) {
+  const Dynamics expected = compile_model(small_grasp().model).dynamics;
+  const Dynamics& dynamics = kScenarioImage.model.body.dynamics;
+  EXPECT_EQ(dynamics.substeps, expected.substeps);
+  EXPECT_EQ(dynamics.mass_damping, expected.mass_damping);
+  EXPECT_EQ(dynamics.stiffness_damping, expected.stiffness_damping);
+  EXPECT_EQ(dynamics.impulse_mantissa, expected.impulse_mantissa);
+  EXPECT_EQ(dynamics.impulse_exponent, expected.impulse_exponent);
+}
+
+TEST(FirmwareImage, HasTheScene) {
+  const Scenario scenario = small_grasp();
+  const firmware::Scene expected = compile_scene(scenario.grasp.scene, scenario.model);
+  const firmware::Scene& scene = kScenarioImage.model.scene;
+  EXPECT_EQ(scene.edges_per_metre, expected.edges_per_metre);
+  EXPECT_EQ(scene.device_origin, expected.device_origin);
+  EXPECT_EQ(scene.newton_mantissa, expected.newton_mantissa);
+  EXPECT_EQ(scene.newton_exponent, expected.newton_exponent);
+}
+
+}  // namespace
+}  // namespace palpate::sim

@@ -1,0 +1,57 @@
+#include "program.hpp"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace palpate::test {
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "palpate-test-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::vector<std::string> TemporaryFolder::contents() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
+    names.push_back(entry.path().lexically_relative(path_).string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Outcome run_program(const TemporaryFolder& folder, const std::string& arguments, const std::string& before) {
+  const TemporaryFolder streams;
+  const std::string out = (streams / "out").string();
+  const std::string err = (streams / "err").string();
+  const std::string command = "cd " + folder.path().string() + " && { " + before + " " +
+                              PALPATE_PROGRAM_PATH + " " + arguments + "; } >" + out + " 2>" + err;
+  const int status =
+      std::system(command.c_str());  // NOLINT(bugprone-command-processor): the tests' own words
+  return Outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
+
+void expect_one_line(const std::string& text) {
+  EXPECT_EQ(text.rfind("palpate: ", 0), 0U) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+}
+
+}  // namespace palpate::test
