@@ -28,7 +28,7 @@ struct ModelParameters {
   std::array<int, 3> cubes = {1, 1, 3};  // x, y, z
   double edge_m = 0.064;                 // of a cube
   int level = 6;
-  std::vector<RegionParameters> regions = {RegionParameters{}};
+  std::vector<RegionParameters> regions = std::vector<RegionParameters>(1);
   std::vector<int> region_of_cube;  // x fastest; -1: absent; empty: all 0
   int substeps = 4;
   double mass_damping_per_s = 2.0;

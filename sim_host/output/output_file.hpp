@@ -14,7 +14,9 @@ class OutputFile {
   /// `name`: how messages call it; empty: as it is.
   explicit OutputFile(const std::string& path, const std::string& name = "");
   OutputFile(const OutputFile&) = delete;
+  OutputFile(OutputFile&&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
+  OutputFile& operator=(OutputFile&&) = delete;
   ~OutputFile();
 
   template <class... Args>

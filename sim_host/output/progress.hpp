@@ -10,7 +10,9 @@ class Progress {
  public:
   explicit Progress(uint32_t total_ticks);
   Progress(const Progress&) = delete;
+  Progress(Progress&&) = delete;
   Progress& operator=(const Progress&) = delete;
+  Progress& operator=(Progress&&) = delete;
   /// Clears the line.
   ~Progress();
 

@@ -15,10 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string>& run_file_names() {
-  static const std::vector<std::string> kNames = {"summary.json", "force.csv",       "hash.csv",
-                                                  "nodes.csv",    "force.svg",       "body.png",
-                                                  "body.svg",     "motor_codes.svg", "displacement.svg"};
-  return kNames;
+  static const std::vector<std::string> file_names = {"summary.json", "force.csv",       "hash.csv",
+                                                      "nodes.csv",    "force.svg",       "body.png",
+                                                      "body.svg",     "motor_codes.svg", "displacement.svg"};
+  return file_names;
 }
 
 /// Only what a run wrote may be replaced by a run.

@@ -14,7 +14,9 @@ class RunFolder {
   /// EnvironmentError when it cannot be written.
   explicit RunFolder(const std::filesystem::path& path);
   RunFolder(const RunFolder&) = delete;
+  RunFolder(RunFolder&&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
+  RunFolder& operator=(RunFolder&&) = delete;
   /// Removes what was not committed.
   ~RunFolder();
 

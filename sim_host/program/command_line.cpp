@@ -67,7 +67,8 @@ class ScenarioCommand {
   }
 
   void add_flag(const Parameter& parameter) {
-    Flag& flag = flags_.emplace_back(Flag{&parameter, "", nullptr});
+    flags_.push_back(Flag{&parameter, "", nullptr});
+    Flag& flag = flags_.back();
     std::string spelling = flag_of(parameter.key);
     if (!parameter.alias.empty()) spelling += "," + flag_of(parameter.alias);
     const std::string meaning = fmt::format("{}; {}; default {}", parameter.meaning,

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <optional>
 
@@ -26,8 +27,10 @@ std::string tets(const RunRecord& run) {
 }
 
 std::string peak_force(const RunRecord& run) {
-  const std::string newtons = summary_or(run, "peak_force_N", "");
-  return newtons.empty() ? "-" : fmt::format("{:.3f} mN", std::stod(newtons) * 1e3);
+  double newtons = 0.0;
+  const std::string text = summary_or(run, "peak_force_N", "");
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), newtons);
+  return result.ec == std::errc{} ? fmt::format("{:.3f} mN", newtons * 1e3) : "-";
 }
 
 std::string last_tick(const RunRecord& run) {
@@ -35,8 +38,10 @@ std::string last_tick(const RunRecord& run) {
 }
 
 void print_both(const RunRecord& a, const RunRecord& b) {
-  const auto row = [](const char* what, const std::string& of_a, const std::string& of_b) {
-    fmt::print("  {:<12} {:<24} {:<24}\n", what, of_a, of_b);
+  constexpr std::size_t kHashWidth = 16;
+  const std::size_t width = std::max(kHashWidth, a.name.size());
+  const auto row = [width](const char* what, const std::string& of_a, const std::string& of_b) {
+    fmt::print("  {:<12} {:<{}}  {}\n", what, of_a, width, of_b);
   };
   row("", a.name, b.name);
   row("scenario", summary_or(a, "scenario", "-"), summary_or(b, "scenario", "-"));

@@ -19,6 +19,7 @@ std::string spell(Q<I, F> q) {
 template <class Items, class Spell>
 std::string braces(const Items& items, Spell&& spell_one) {
   std::vector<std::string> parts;
+  parts.reserve(std::size(items));
   for (const auto& item : items) parts.push_back(spell_one(item));
   return fmt::format("{{{}}}", fmt::join(parts, ", "));
 }

@@ -10,6 +10,7 @@
 #include "program/command_line.hpp"
 #include "scenario/errors.hpp"
 
+namespace palpate::sim {
 namespace {
 
 enum ExitCode : int { kBadInput = 2, kEnvironment = 3 };
@@ -19,8 +20,7 @@ int fail(ExitCode code, const char* what) {
   return code;
 }
 
-int run(int argc, const char* const* argv) {
-  using namespace palpate::sim;
+int run_program(int argc, const char* const* argv) {
   try {
     const int code = run_command_line(argc, argv);
     if (std::fflush(stdout) != 0) {
@@ -39,8 +39,9 @@ int run(int argc, const char* const* argv) {
 }
 
 }  // namespace
+}  // namespace palpate::sim
 
 int main(int argc, char** argv) {
   palpate::sim::watch_signals();
-  return run(argc, argv);
+  return palpate::sim::run_program(argc, argv);
 }

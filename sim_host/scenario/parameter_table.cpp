@@ -127,8 +127,8 @@ std::vector<Parameter> all_parameters() {
 }  // namespace
 
 const std::vector<Parameter>& parameter_table() {
-  static const std::vector<Parameter> kTable = all_parameters();
-  return kTable;
+  static const std::vector<Parameter> table = all_parameters();
+  return table;
 }
 
 const Parameter* find_parameter(const std::string& key) {
@@ -163,8 +163,8 @@ std::string describe_range(const Parameter& parameter) {
   if (!parameter.choices.empty()) return fmt::format("{}", fmt::join(parameter.choices, ", "));
   if (std::holds_alternative<Field<bool>>(parameter.access)) return "on, off";
   if (std::holds_alternative<Field<std::string>>(parameter.access)) return "a path";
-  const std::string range = fmt::format("{:g} .. {:g}{}{}", parameter.low, parameter.high,
-                                        parameter.unit.empty() ? "" : " ", parameter.unit);
+  std::string range = fmt::format("{:g} .. {:g}{}{}", parameter.low, parameter.high,
+                                  parameter.unit.empty() ? "" : " ", parameter.unit);
   if (std::holds_alternative<Field<Triple>>(parameter.access)) return "three numbers, " + range;
   if (std::holds_alternative<Field<WholeTriple>>(parameter.access)) return "three whole numbers, " + range;
   if (std::holds_alternative<Field<std::vector<int>>>(parameter.access))

@@ -40,8 +40,8 @@ HeldEnds held_ends(const std::string& hold) {
 }  // namespace
 
 const std::vector<std::string>& scenario_names() {
-  static const std::vector<std::string> kNames = {"cuboid-bend", "cuboid-sine", "grasp"};
-  return kNames;
+  static const std::vector<std::string> names = {"cuboid-bend", "cuboid-sine", "grasp"};
+  return names;
 }
 
 const char* kind_name(ScenarioKind kind) {

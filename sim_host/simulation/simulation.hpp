@@ -35,7 +35,9 @@ class Simulation {
  public:
   Simulation() = default;
   Simulation(const Simulation&) = delete;
+  Simulation(Simulation&&) = delete;
   Simulation& operator=(const Simulation&) = delete;
+  Simulation& operator=(Simulation&&) = delete;
   virtual ~Simulation() = default;
 
   /// Runs one tick. False when the scenario ended with it.

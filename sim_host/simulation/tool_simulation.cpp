@@ -106,11 +106,9 @@ template <class Profile>
 class BendSimulation final : public ToolSimulation<Profile> {
  public:
   explicit BendSimulation(const Scenario& scenario)
-      : ToolSimulation<Profile>(scenario), rest_(limits_in_units(scenario.model)) {
-    ModelParameters settling = scenario.model;
-    settling.mass_damping_per_s = scenario.bend.settle_damping_per_s;
-    settle_ = compile_model(settling).dynamics;
-  }
+      : ToolSimulation<Profile>(scenario),
+        settle_(settling_dynamics(scenario)),
+        rest_(limits_in_units(scenario.model)) {}
 
   bool advance() override {
     State<Profile>& state = this->state();
@@ -133,6 +131,11 @@ class BendSimulation final : public ToolSimulation<Profile> {
   static constexpr uint32_t kTurnTicks = 2000;
   static constexpr uint32_t kMostTicks = 30000;
 
+  static Dynamics settling_dynamics(const Scenario& scenario) {
+    ModelParameters settling = scenario.model;
+    settling.mass_damping_per_s = scenario.bend.settle_damping_per_s;
+    return compile_model(settling).dynamics;
+  }
   static RestLimits limits_in_units(const ModelParameters& model) {
     constexpr double kStillM = 0.1e-6;
     constexpr double kBalancedN = 0.005e-3;

@@ -33,6 +33,8 @@ class NsPerTet {
   ~NsPerTet();
   NsPerTet(const NsPerTet&) = delete;
   NsPerTet& operator=(const NsPerTet&) = delete;
+  NsPerTet(NsPerTet&&) = delete;
+  NsPerTet& operator=(NsPerTet&&) = delete;
 
  private:
   benchmark::State& state_;

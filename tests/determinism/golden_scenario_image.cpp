@@ -16,16 +16,18 @@ constexpr golden::Discretization kMesh = golden::kDiscretization<golden::Profile
 constexpr Material make_material(int64_t softness) {
   constexpr int64_t kOnePlusNu = 149;
   constexpr int64_t kOneMinusTwoNu = 2;
+  constexpr int64_t kNu = 49;
   return Material{ShearCoefficient::ratio(100, 12 * kOnePlusNu * softness),
-                  BulkCoefficient::ratio(49 * 100, 12 * kOnePlusNu * kOneMinusTwoNu * softness)};
+                  BulkCoefficient::ratio(kNu * 100, 12 * kOnePlusNu * kOneMinusTwoNu * softness)};
 }
 
 constexpr Dynamics make_dynamics() {
+  constexpr int64_t kSubsteps = kMesh.substeps;
   Dynamics dynamics{};
   dynamics.substeps = kMesh.substeps;
-  dynamics.mass_damping = Q<-5, 36>::ratio(2, 1000 * kMesh.substeps);       // 2 / s
-  dynamics.stiffness_damping = Q<0, 31>::ratio(50 * kMesh.substeps, 1000);  // 50 us
-  dynamics.impulse_mantissa = Q<0, 31>::ratio(75, 128);                     // dt^2 E edge / (kg a mass unit)
+  dynamics.mass_damping = Q<-5, 36>::ratio(2, 1000 * kSubsteps);       // 2 / s
+  dynamics.stiffness_damping = Q<0, 31>::ratio(50 * kSubsteps, 1000);  // 50 us
+  dynamics.impulse_mantissa = Q<0, 31>::ratio(75, 128);                // dt^2 E edge / (kg a mass unit)
   dynamics.impulse_exponent = kMesh.impulse_exponent;
   return dynamics;
 }

@@ -8,10 +8,8 @@
 #include "golden_scenario_image.hpp"
 #include "palpate/firmware/cycle.hpp"
 
+namespace palpate::firmware {
 namespace {
-
-using namespace palpate;
-using namespace palpate::firmware;  // NOLINT(google-build-using-namespace)
 
 CycleState<golden::Profile> g_state;
 
@@ -33,15 +31,13 @@ uint32_t number_or(int argc, char** argv, int at, uint32_t otherwise) {
   return argc > at ? static_cast<uint32_t>(std::strtoul(argv[at], nullptr, 10)) : otherwise;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   const uint32_t asked = number_or(argc, argv, 1, kScenarioImage.row_count);
   const uint32_t ticks = asked < kScenarioImage.row_count ? asked : kScenarioImage.row_count;
   const uint32_t every = number_or(argc, argv, 2, 100);
   if (every == 0 || start(g_state, kScenarioImage.model) != Status::kDone) return EXIT_FAILURE;
   print_header();
-  firmware::NoProbe probe;
+  NoProbe probe;
   Actuators actuators{};
   for (uint32_t tick = 1; tick <= ticks; ++tick) {
     const ScriptRow& row = kScenarioImage.rows[tick - 1];
@@ -52,3 +48,8 @@ int main(int argc, char** argv) {
   }
   return EXIT_SUCCESS;
 }
+
+}  // namespace
+}  // namespace palpate::firmware
+
+int main(int argc, char** argv) { return palpate::firmware::run(argc, argv); }

@@ -19,7 +19,7 @@ struct Part {
 };
 
 const std::vector<Part>& parts() {
-  static const std::vector<Part> kParts = {
+  static const std::vector<Part> all = {
       {"core/numeric/", {"numeric"}},
       {"core/memory/", {"numeric", "memory"}},
       {"core/mesh/", {"numeric", "memory", "mesh"}},
@@ -38,7 +38,7 @@ const std::vector<Part>& parts() {
       {"board/scripted/", {kPlatform, "ports", kImage}},
       {"board/", {kPlatform, "ports"}},
   };
-  return kParts;
+  return all;
 }
 
 bool starts_with(std::string_view text, std::string_view start) {
@@ -87,23 +87,23 @@ bool is_host_board(const Source& source) { return starts_with(source.path, "boar
 bool is_platform(const Source& source) { return source.path == "core/numeric/palpate/numeric/platform.hpp"; }
 
 const std::set<std::string_view>& forbidden_words() {
-  static const std::set<std::string_view> kWords = {
+  static const std::set<std::string_view> all = {
       "float",        "double",      "new",         "delete",       "malloc",   "calloc", "realloc",
       "free",         "alloca",      "virtual",     "throw",        "try",      "catch",  "typeid",
       "dynamic_cast", "vector",      "string",      "map",          "set",      "list",   "deque",
       "function",     "unique_ptr",  "shared_ptr",  "string_view",  "iostream", "sort",   "unordered_map",
       "multimap",     "make_unique", "make_shared", "unordered_set"};
-  return kWords;
+  return all;
 }
 
 /// Names that are common words elsewhere count only as the library's.
 bool is_forbidden(const Word& word) {
-  static const std::set<std::string_view> kOnlyInStd = {"vector", "string", "map",      "set",
-                                                        "list",   "deque",  "function", "sort"};
+  static const std::set<std::string_view> only_in_std = {"vector", "string", "map",      "set",
+                                                         "list",   "deque",  "function", "sort"};
   const std::string& before = word.before;
   if (forbidden_words().count(word.text) == 0) return false;
   if (word.text == "delete" && !before.empty() && before.back() == '=') return false;
-  if (kOnlyInStd.count(word.text) == 0) return true;
+  if (only_in_std.count(word.text) == 0) return true;
   return before.size() >= 5 && before.compare(before.size() - 5, 5, "std::") == 0;
 }
 
@@ -161,7 +161,7 @@ Findings check_loops(const Source& source) {
 }
 
 const std::vector<Exception>& exceptions() {
-  static const std::vector<Exception> kExceptions = {
+  static const std::vector<Exception> all = {
       {"core/numeric/palpate/numeric/platform.hpp", "#pragma GCC poison float double",
        "makes them errors on a target"},
       {"core/numeric/palpate/numeric/q.hpp", "for (int bit = 0; bit < F; ++bit) {",
@@ -173,7 +173,7 @@ const std::vector<Exception>& exceptions() {
       {"firmware/main/main.cpp", "#include <new>", "declares placement new, which allocates nothing"},
       {"firmware/main/main.cpp", "new (&g_storage.run) Run{};", "placement new on a static object"},
   };
-  return kExceptions;
+  return all;
 }
 
 }  // namespace palpate::test

@@ -29,8 +29,8 @@ std::vector<Source> read_tree() {
 }
 
 const std::vector<Source>& tree() {
-  static const std::vector<Source> kTree = read_tree();
-  return kTree;
+  static const std::vector<Source> read = read_tree();
+  return read;
 }
 
 template <class Check>

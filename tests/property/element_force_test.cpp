@@ -44,8 +44,9 @@ EdgeVectors edges_of(const Shape& shape, const Deformed& d) {
 }
 
 Matrix3d strong_deformation(Random& random) {
-  const Vector3d stretches(0.6 + 0.9 * random.unit(), 0.6 + 0.9 * random.unit(), 0.6 + 0.9 * random.unit());
-  return random.rotation() * stretches.asDiagonal() * random.rotation();
+  const Vector3d stretches = random.between(0.6, 1.5);
+  const Matrix3d r = random.rotation();
+  return r * stretches.asDiagonal() * random.rotation();
 }
 
 TEST(ElementForce, ShapesCoverAllTypesAndOrientations) {
@@ -67,7 +68,8 @@ TEST(DeformationGradientProperty, AgreesWithTheInverseOfTheRestMatrix) {
   for (const Shape& shape : shapes()) {
     const reference::Element element = shape.element();
     for (int i = 0; i < 50; ++i) {
-      const Deformed d = deform(shape, 2.0 * strong_deformation(random), random.vector());
+      const Matrix3d strong = 2.0 * strong_deformation(random);
+      const Deformed d = deform(shape, strong, random.vector());
       uint32_t clamped = 0;
       const Matrix3d f = doubles(deformation_gradient(edges_of(shape, d), shape.axes, shape.level, clamped));
       const double bound = shape.level < 3 ? std::ldexp(0.5, -26) : 0.0;
@@ -158,9 +160,7 @@ TEST(ElementForce, AgreesWithDoubles) {
       for (int i = 0; i < 60; ++i) {
         const double strength = random.unit();
         const Matrix3d r = random.rotation();
-        const Matrix3d stretch =
-            Matrix3d::Identity() +
-            strength * 0.3 * (Matrix3d() << random.vector(), random.vector(), random.vector()).finished();
+        const Matrix3d stretch = Matrix3d::Identity() + strength * 0.3 * random.matrix();
         const Matrix3d groups = r * Eigen::AngleAxisd(0.5 * strength, random.direction()).toRotationMatrix();
         ASSERT_NO_FATAL_FAILURE(
             compare_forces(shape, deform(shape, r * stretch, random.vector()), groups, elastic, compared));
@@ -179,7 +179,6 @@ RC_GTEST_PROP(ElementForce, SumsToZero, ()) {
   const Shape& shape = shapes()[random.below(static_cast<uint32_t>(shapes().size()))];
   Matrix3d f;
   for (int i = 0; i < 9; ++i) f.data()[i] = 4.0 * random.centred();
-  Compared ignored;
   Deformed d = deform(shape, f, Vector3d::Zero());
   for (auto& w : d.w) w = within_position_limit(w);
   uint32_t clamped = 0;

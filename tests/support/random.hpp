@@ -25,16 +25,30 @@ class Random {
   /// [0, 1)
   double unit() { return std::ldexp(static_cast<double>(bits() >> 11), -53); }
 
-  Eigen::Vector3d vector() { return Eigen::Vector3d(centred(), centred(), centred()); }
+  /// One number after the other: the order in which a call evaluates its arguments is the compiler's.
+  Eigen::Vector3d vector() {
+    Eigen::Vector3d v;
+    for (int i = 0; i < 3; ++i) v[i] = centred();
+    return v;
+  }
+  Eigen::Matrix3d matrix() {
+    Eigen::Matrix3d m;
+    for (int i = 0; i < 9; ++i) m.data()[i] = centred();
+    return m;
+  }
+  /// Coordinates in [low, high).
+  Eigen::Vector3d between(double low, double high) {
+    return Eigen::Vector3d::Constant(0.5 * (low + high)) + 0.5 * (high - low) * vector();
+  }
   Eigen::Vector3d direction() {
     Eigen::Vector3d v = vector();
     while (v.norm() < 0.1 || v.norm() > 1.0) v = vector();
     return v.normalized();
   }
   Eigen::Matrix3d rotation() {
-    Eigen::Quaterniond q(centred(), centred(), centred(), centred());
+    Eigen::Quaterniond q(0, 0, 0, 0);
     while (q.norm() < 0.1 || q.norm() > 1.0) {
-      q = Eigen::Quaterniond(centred(), centred(), centred(), centred());
+      for (int i = 0; i < 4; ++i) q.coeffs()[i] = centred();
     }
     return q.normalized().toRotationMatrix();
   }

@@ -117,7 +117,7 @@ TEST(ElasticEnergy, InvertedTetsPushBack) {
   const Material material = material_of(0.49);
   for (const Shape& shape : shapes()) {
     for (uint32_t i = 0; i < 12; ++i) {
-      Vector3d stretch(0.8 + 0.4 * random.unit(), 0.8 + 0.4 * random.unit(), 0.8 + 0.4 * random.unit());
+      Vector3d stretch = random.between(0.8, 1.2);
       stretch[i % 3] = -0.05 - 0.6 * random.unit();
       const Matrix3d q = random.rotation();
       const Matrix3d r = random.rotation();

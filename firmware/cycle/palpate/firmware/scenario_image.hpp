@@ -11,7 +11,8 @@ struct CycleModel {
   Scene scene;
 };
 
-struct ScriptRow {
+/// Aligned so that a row is copied as two words.
+struct alignas(4) ScriptRow {
   static constexpr uint16_t kGraspButton = 1;
   std::array<int16_t, 3> encoder_counts;
   uint16_t buttons;
