@@ -65,8 +65,9 @@ std::vector<Parameter> body_parameters() {
            PALPATE_FIELD(double, model.mass_damping_per_s)),
       make("stiffness_damping_s", "s", 0, 1e-3, "stiffness-proportional damping",
            PALPATE_FIELD(double, model.stiffness_damping_s)),
-      choice("hold", {"one", "both", "none"}, "held end faces of the longest axis",
-             PALPATE_FIELD(std::string, hold)),
+      with_default(choice("hold", {"one", "both", "none"}, "held end faces of the longest axis",
+                          PALPATE_FIELD(std::string, hold)),
+                   "one; both for cuboid-bend"),
       make("grasp_reach_m", "m", 0, 0.5, "how far from a node a grasp still takes it",
            PALPATE_FIELD(double, model.grasp_reach_m)),
   };

@@ -132,14 +132,14 @@ Violation check_neighbours(const Forest<Profile>& forest, const Block& block, co
 /// Everything that one leaf can tell. Constant time; reads up to four neighbours.
 template <class Profile>
 [[nodiscard]] Violation check_leaf(const Forest<Profile>& forest, const Block& block, uint32_t index) {
-  using namespace invariants_detail;
+  namespace detail = invariants_detail;
   const Leaf& leaf = forest.leaf[index];
   for (const uint32_t i : bounded<4>(4, [] {})) {
     if (!forest.nodes.is_live(leaf.node[i])) return Violation::kDeadNode;
   }
-  if (!is_linked_in_tree(forest, index)) return Violation::kTreeLink;
-  if (!has_its_shape(forest, leaf)) return Violation::kWrongShape;
-  return check_neighbours(forest, block, leaf);
+  if (!detail::is_linked_in_tree(forest, index)) return Violation::kTreeLink;
+  if (!detail::has_its_shape(forest, leaf)) return Violation::kWrongShape;
+  return detail::check_neighbours(forest, block, leaf);
 }
 
 /// Sums over all leaves, nodes and pools: volume, mass, counts, use of nodes, free lists.

@@ -101,14 +101,14 @@ void connect_roots(Forest<Profile>& forest) {
 template <class Profile>
 [[nodiscard]] MeshStatus make_roots(Forest<Profile>& forest, const Block& block,
                                     const std::array<uint16_t, kRegions>& region_density) {
-  using namespace make_forest_detail;
+  namespace detail = make_forest_detail;
   forest.pairs.clear();
   forest.nodes.clear();
   forest.leaf_count = 0;
   forest.leaf_counters = PoolCounters{0, 0};
   forest.region_density = region_density;
-  CornerNodes corners{};
-  for (const uint32_t i : bounded<kCorners>(kCorners, [] {})) corners.node[i] = kNone;
+  detail::CornerNodes corners{};
+  for (const uint32_t i : bounded<detail::kCorners>(detail::kCorners, [] {})) corners.node[i] = kNone;
   for (const uint32_t index : bounded<kMaxCubes>(block.cube_count(), [] {})) {
     const uint8_t region = block.region[index];
     if (region == Block::kAbsent) continue;
@@ -116,11 +116,11 @@ template <class Profile>
     const uint32_t ny = block.cubes[1];
     const uint32_t cube[3] = {index % nx, index / nx % ny, index / (nx * ny)};
     for (const uint32_t which : bounded<kRootsPerCube>(kRootsPerCube, [] {})) {
-      const MeshStatus status = add_root(forest, block, corners, cube, which, region);
+      const MeshStatus status = detail::add_root(forest, block, corners, cube, which, region);
       if (status != MeshStatus::kDone) return status;
     }
   }
-  connect_roots(forest);
+  detail::connect_roots(forest);
   forest.leaf_counters.peak = forest.leaf_count;
   return MeshStatus::kDone;
 }

@@ -105,9 +105,9 @@ template <class Profile>
 void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, const HoldMotions& motions,
                        const DrivenNode& driven, uint32_t remaining, SolveState<Profile>& solve,
                        ClampCounters& counters) {
-  using namespace integrate_detail;
+  namespace detail = integrate_detail;
   auto& state = forest.node;
-  const Q<0, 31> fraction = kFractions[remaining];
+  const Q<0, 31> fraction = detail::kFractions[remaining];
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
     const uint16_t node = forest.nodes.live(i);
     const NodeControl control = solve.control[node];
@@ -124,14 +124,14 @@ void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, const 
     for (const uint32_t axis : bounded<3>(3, [] {})) {
       const auto a = static_cast<Eigen::Index>(axis);
       if (is_free) {
-        v[a] =
-            next_velocity(v[a], state.force[node][a], solve.impulse[node], dynamics.mass_damping, too_fast);
-        x[a] = moved(x[a], v[a], too_far);
+        v[a] = detail::next_velocity(v[a], state.force[node][a], solve.impulse[node], dynamics.mass_damping,
+                                     too_fast);
+        x[a] = detail::moved(x[a], v[a], too_far);
       } else {
-        v[a] = towards(x[a], target[a], fraction, too_fast);
-        x[a] = remaining == 1 && too_fast == 0 ? target[a] : moved(x[a], v[a], too_far);
+        v[a] = detail::towards(x[a], target[a], fraction, too_fast);
+        x[a] = remaining == 1 && too_fast == 0 ? target[a] : detail::moved(x[a], v[a], too_far);
       }
-      solve.force_position[node][a] = force_position(x[a], v[a], dynamics.stiffness_damping);
+      solve.force_position[node][a] = detail::force_position(x[a], v[a], dynamics.stiffness_damping);
     }
     counters.speed += too_fast != 0 ? 1u : 0u;
     counters.position += too_far != 0 ? 1u : 0u;

@@ -39,7 +39,7 @@ constexpr Drive make_drive(const DriveRatings& ratings) {
                             ratings.torque_constant_micronewton_metres_per_ampere *
                             ratings.full_scale_milliamperes;
     drive.codes_per_torque[joint] =
-        CodesPerNewtonMetre::ratio(kFullScaleCodes * ratings.direction[joint] * kUnits, divisor);
+        CodesPerNewtonMetre::ratio(int64_t{kFullScaleCodes} * ratings.direction[joint] * kUnits, divisor);
   }
   return drive;
 }
