@@ -106,14 +106,32 @@ void parse(CLI::App& app, int argc, const char* const* argv) {
   }
 }
 
-int dispatch(CLI::App& app, int argc, const char* const* argv) {
+void configure(CLI::App& app) {
+  constexpr std::size_t kColumn = 38;
   app.set_version_flag("--version", "palpate " PALPATE_VERSION, "print the version");
   app.set_help_flag("--help", "print this help");
   app.footer(
       "Example: palpate hil grasp --out out/grasp\n"
       "Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 the environment.");
   app.allow_extras();
-  app.get_formatter()->column_width(38);
+  app.get_formatter()->column_width(kColumn);
+}
+
+/// The command that the user chose, all of its arguments known.
+const CLI::App* chosen_command(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty()) {
+    const auto extras = app.remaining();
+    throw BadInput(fmt::format(
+        "{}; the commands are compare, hil, model and run, see palpate --help",
+        extras.empty() ? "no command is given" : fmt::format("there is no command '{}'", extras[0])));
+  }
+  refuse_extras(*chosen[0]);
+  return chosen[0];
+}
+
+int dispatch(CLI::App& app, int argc, const char* const* argv) {
+  configure(app);
   const ScenarioCommand run(app, "run", "move the tool directly, without a device", kToolKinds, true,
                             "palpate run cuboid-sine --slow 2 --out out/sine");
   const ScenarioCommand hil(app, "hil", "the firmware's cycle, fed with the encoder counts of a PHANToM",
@@ -134,17 +152,10 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
   compare->allow_extras();
 
   parse(app, argc, argv);
-  const auto chosen = app.get_subcommands();
-  if (chosen.empty()) {
-    const auto extras = app.remaining();
-    throw BadInput(fmt::format(
-        "{}; the commands are compare, hil, model and run, see palpate --help",
-        extras.empty() ? "no command is given" : fmt::format("there is no command '{}'", extras[0])));
-  }
-  refuse_extras(*chosen[0]);
-  if (chosen[0] == run.app()) return run_scenario(run.scenario(), "run");
-  if (chosen[0] == hil.app()) return run_scenario(hil.scenario(), "hil");
-  if (chosen[0] == compare) return compare_runs(first, second);
+  const CLI::App* chosen = chosen_command(app);
+  if (chosen == run.app()) return run_scenario(run.scenario(), "run");
+  if (chosen == hil.app()) return run_scenario(hil.scenario(), "hil");
+  if (chosen == compare) return compare_runs(first, second);
   return describe_model(model.scenario(), image);
 }
 

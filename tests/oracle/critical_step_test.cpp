@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "palpate/tick/profiles.hpp"
 #include "reference/mesh_from_forest.hpp"
 #include "stability.hpp"
@@ -28,6 +30,9 @@ struct Known {
   int level;
   double poisson_ratio;
   double step_ms;
+  friend void PrintTo(const Known& known, std::ostream* out) {
+    *out << "level " << known.level << " nu " << known.poisson_ratio;
+  }
 };
 
 class CriticalStep : public testing::TestWithParam<Known> {};

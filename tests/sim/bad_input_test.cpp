@@ -10,7 +10,7 @@ struct Case {
   const char* message;  // a part of it
 };
 
-void PrintTo(const Case& one, std::ostream* stream) { *stream << one.name; }
+std::ostream& operator<<(std::ostream& stream, const Case& one) { return stream << one.name; }
 
 class BadFlag : public testing::TestWithParam<Case> {};
 

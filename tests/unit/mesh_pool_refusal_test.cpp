@@ -1,9 +1,8 @@
 // A full pool at every point where one is asked: the bisection is refused, counted, and has changed nothing.
 #include <gtest/gtest.h>
 
-#include <utility>
-
 #include "support/forests.hpp"
+#include "support/random.hpp"
 
 namespace palpate::test {
 namespace {
@@ -30,15 +29,27 @@ bool is_same_but_counters(const Forest<Profile>& a, const Forest<Profile>& b) {
   return same_nodes && same_leaves && same_tets && same_pools && a.leaf_count == b.leaf_count;
 }
 
-/// Bisects a cube patch by patch until it is refused; what that leaves must be untouched and whole.
 template <class Profile>
-MeshStatus fill(uint32_t& patches) {
+Violation check_leaves(const Forest<Profile>& forest, const Block& block) {
+  for (uint32_t i = 0; i < forest.leaf_count; ++i) {
+    const Violation violation = check_leaf(forest, block, i);
+    if (violation != Violation::kNothing) return violation;
+  }
+  return Violation::kNothing;
+}
+
+/// Bisects a cube patch by patch, anywhere, until it is refused; what that leaves must be untouched and
+/// whole. `taken` nodes are taken from the pool beforehand.
+template <class Profile>
+MeshStatus fill(uint64_t seed, uint16_t taken, uint32_t& patches) {
   const Block block = full_block(1, 1, 1);
+  Random random(seed);
   auto forest = roots_of<Profile>(block);
-  if (forest == nullptr) return MeshStatus::kDone;
-  for (uint32_t i = 0;; i = (i * 5 + 1) % forest->leaf_count) {
+  for (uint16_t i = 0; i < taken; ++i) (void)forest->nodes.allocate();
+  while (true) {
     Patch patch{};
-    EXPECT_EQ(find_ready_patch(*forest, forest->leaf[i].tet, patch), MeshStatus::kDone);
+    const uint16_t wanted = forest->leaf[random.below(forest->leaf_count)].tet;
+    EXPECT_EQ(find_ready_patch(*forest, wanted, patch), MeshStatus::kDone);
     const auto before = copy_of(*forest);
     const MeshStatus status = bisect(*forest, patch);
     if (status == MeshStatus::kDone) {
@@ -46,36 +57,43 @@ MeshStatus fill(uint32_t& patches) {
       continue;
     }
     EXPECT_TRUE(is_same_but_counters(*before, *forest));
-    EXPECT_EQ(check_forest(*forest, block), Violation::kNothing);
+    EXPECT_EQ(check_leaves(*forest, block), Violation::kNothing);
     const bool leaves = status == MeshStatus::kLeavesFull;
     EXPECT_EQ(forest->leaf_counters.refused, leaves ? 1 : 0);
     EXPECT_EQ(forest->nodes.counters().refused, leaves ? 0 : 1);
+    EXPECT_EQ(forest->pairs.counters().refused, 0);
     EXPECT_EQ(forest->leaf_counters.peak, forest->leaf_count);
     EXPECT_EQ(forest->nodes.counters().peak, forest->nodes.used());
     return status;
   }
 }
 
-template <uint16_t... Sizes>
-void run_out_of_leaves(std::integer_sequence<uint16_t, Sizes...>) {
+template <uint16_t Leaves>
+void run_out_of_leaves() {
   uint32_t patches = 0;
-  for (const MeshStatus status : {fill<TestProfile<6 + Sizes, 200, 14>>(patches)...}) {
-    EXPECT_EQ(status, MeshStatus::kLeavesFull);
+  for (uint64_t seed = 0; seed < 50; ++seed) {
+    EXPECT_EQ((fill<TestProfile<Leaves, 400, 14>>(seed, 0, patches)), MeshStatus::kLeavesFull);
   }
-  EXPECT_GT(patches, 100u);
+  EXPECT_EQ(patches > 0, Leaves >= 12);  // the first patch of a cube has all six roots
 }
 
-template <uint16_t... Sizes>
-void run_out_of_nodes(std::integer_sequence<uint16_t, Sizes...>) {
-  uint32_t patches = 0;
-  for (const MeshStatus status : {fill<TestProfile<900, 8 + Sizes, 14>>(patches)...}) {
-    EXPECT_EQ(status, MeshStatus::kNodesFull);
-  }
-  EXPECT_GT(patches, 100u);
+TEST(PoolRefusal, OfLeavesAtAnyPoint) {
+  run_out_of_leaves<6>();
+  run_out_of_leaves<11>();
+  run_out_of_leaves<12>();
+  run_out_of_leaves<31>();
+  run_out_of_leaves<64>();
 }
 
-TEST(PoolRefusal, AnyNumberOfLeaves) { run_out_of_leaves(std::make_integer_sequence<uint16_t, 40>()); }
-TEST(PoolRefusal, AnyNumberOfNodes) { run_out_of_nodes(std::make_integer_sequence<uint16_t, 30>()); }
+TEST(PoolRefusal, OfNodesAtEveryPoint) {
+  using Profile = TestProfile<900, 100, 14>;
+  for (uint16_t free = 0; free <= 92; ++free) {
+    uint32_t patches = 0;
+    const auto taken = static_cast<uint16_t>(92 - free);
+    EXPECT_EQ(fill<Profile>(free, taken, patches), MeshStatus::kNodesFull);
+    EXPECT_EQ(patches, free);
+  }
+}
 
 /// Pairs cannot run out before leaves do, so leaves are named; here the test has taken the pairs away.
 TEST(PoolRefusal, PairsAreCheckedBeforeAnythingChanges) {
