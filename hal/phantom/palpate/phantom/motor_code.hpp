@@ -38,8 +38,8 @@ constexpr Drive make_drive(const DriveRatings& ratings) {
     const int64_t divisor = int64_t{ratings.capstan_ratio_milli[joint]} *
                             ratings.torque_constant_micronewton_metres_per_ampere *
                             ratings.full_scale_milliamperes;
-    drive.codes_per_torque[joint] =
-        CodesPerNewtonMetre::ratio(int64_t{kFullScaleCodes} * ratings.direction[joint] * kUnits, divisor);
+    const int64_t full_scale = int64_t{kFullScaleCodes} * ratings.direction[joint] * kUnits;
+    drive.codes_per_torque[joint] = CodesPerNewtonMetre::ratio(full_scale, divisor);
   }
   return drive;
 }
@@ -58,7 +58,8 @@ constexpr MotorCodes motor_codes(const Drive& drive, NewtonMetre tau1, NewtonMet
     const Codes asked = narrow<Codes>(drive.codes_per_torque[joint] * torque);
     const Codes given = clamp(asked, -drive.limit, drive.limit);
     const int32_t code = kZeroCode + narrow<Q<31, 0>>(widen<Codes::kFractionBits>(given)).raw();
-    result.codes[joint] = static_cast<uint16_t>(code < 0 ? 0 : code > kHighestCode ? kHighestCode : code);
+    const int32_t at_least_zero = code < 0 ? 0 : code;
+    result.codes[joint] = static_cast<uint16_t>(at_least_zero > kHighestCode ? kHighestCode : at_least_zero);
     result.limited[joint] = asked != given;
   };
   set(0, tau1);
