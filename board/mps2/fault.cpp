@@ -57,7 +57,8 @@ const char* fault_cause(uint32_t status) {
 
 /// The second half of the handler, on its own stack; frame is what the exception stacked, if it could.
 extern "C" [[noreturn, gnu::used]] void palpate_report_fault(const uint32_t* frame) {
-  using namespace palpate;
+  namespace port = palpate::port;
+  namespace mps2 = palpate::mps2;
   port::write_motors({2048, 2048, 2048});
   port::set_amplifiers(false);
   uint32_t exception = 0;

@@ -13,6 +13,8 @@ namespace palpate::firmware {
 namespace {
 
 [[noreturn]] void finish(int status) {
+  constexpr auto kZeroCode = static_cast<uint16_t>(phantom::kZeroCode);
+  port::write_motors({kZeroCode, kZeroCode, kZeroCode});
   port::set_amplifiers(false);
   print("end\n");
   port::exit_program(status);
@@ -32,14 +34,8 @@ void run_script(Run& run) {
   }
 }
 
-}  // namespace
-}  // namespace palpate::firmware
-
-namespace palpate::port {
-
-void run_firmware() {
-  using namespace firmware;
-  initialize_board();
+[[noreturn]] void run_image() {
+  port::initialize_board();
   new (&g_storage.run) Run{};  // placed, not allocated
   Run& run = the_run();
   const Status status = start(run.state, kScenarioImage.model);
@@ -54,4 +50,7 @@ void run_firmware() {
   finish(0);
 }
 
-}  // namespace palpate::port
+}  // namespace
+}  // namespace palpate::firmware
+
+void palpate::port::run_firmware() { firmware::run_image(); }
