@@ -30,8 +30,8 @@ struct Known {
   int level;
   double poisson_ratio;
   double step_ms;
-  friend void PrintTo(const Known& known, std::ostream* out) {
-    *out << "level " << known.level << " nu " << known.poisson_ratio;
+  friend std::ostream& operator<<(std::ostream& out, const Known& known) {
+    return out << "level " << known.level << " nu " << known.poisson_ratio;
   }
 };
 

@@ -11,7 +11,9 @@ namespace {
 template <class Profile>
 bool is_same_but_counters(const Forest<Profile>& a, const Forest<Profile>& b) {
   const auto same_bytes = [](const auto& one, const auto& other) {
-    return std::memcmp(one.data(), other.data(), sizeof(one)) == 0;
+    const void* a_bytes = one.data();
+    const void* b_bytes = other.data();
+    return std::memcmp(a_bytes, b_bytes, sizeof(one)) == 0;
   };
   const bool same_nodes = same_bytes(a.node.rest, b.node.rest) && a.node.mass == b.node.mass &&
                           same_bytes(a.node.position, b.node.position) &&

@@ -11,7 +11,7 @@
 
 namespace palpate {
 
-/// sigma / (E_ref / 6): clamped to +-kStressLimit, which is 4 E_ref (observed in use: 1.5).
+/// sigma / (6 E_ref): clamped to +-kStressLimit, which is 4 E_ref (observed in use: 1.5).
 using Stress = Q<5, 26>;
 inline constexpr Stress kStressLimit = Stress::ratio(4, 6);
 /// The trace of e is clamped to +-4 (observed: 0.07).

@@ -1,5 +1,5 @@
-// Linear elastic material of a region, in units of the model's E_ref / 6. The sixth comes from the volume of
-// the shapes (h^3 / 6, / 12, / 24), so that element forces need shifts only.
+// Linear elastic material of a region, in units of 6 times the model's E_ref. The sixth comes from the volume
+// of the shapes (h^3 / 6, / 12, / 24), so that element forces need shifts only.
 #pragma once
 
 #include "palpate/mesh/block.hpp"

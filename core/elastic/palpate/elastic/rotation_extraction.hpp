@@ -17,7 +17,7 @@ namespace palpate {
 /// Entries of R^T F: +-128, LSB 2^-24. |F| <= kStretchLimit keeps them within 14.
 using Strain = Q<7, 24>;
 
-/// One step from `warm`, at most kStepLimit a component: about 0.003 deg of error after a step of 5 deg, 1e-4
+/// One step from `warm`, at most kStepLimit a component: about 0.01 deg of error after a step of 5 deg, 1e-4
 /// deg after 1 deg. Cost: about 130 multiplies, no division, no loop.
 [[nodiscard]] Quaternion extract_rotation(const DeformationGradient& f, const Quaternion& warm);
 
