@@ -19,8 +19,8 @@ using Eigen::Vector3d;
 uint64_t any_seed() { return *rc::gen::noShrink(rc::gen::arbitrary<uint64_t>()); }
 
 const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> shapes = all_shapes(12);
-  return shapes;
+  static const std::vector<Shape> all = all_shapes(12);
+  return all;
 }
 
 struct Deformed {

@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 constexpr double kForceLsb = 1.0 / (1 << 25);
 
 const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> kShapes = all_shapes(8);
-  return kShapes;
+  static const std::vector<Shape> all = all_shapes(8);
+  return all;
 }
 
 Material material_of(double nu) {

@@ -37,19 +37,19 @@ TEST(Q, HasTheSizeOfItsRaw) {
 }
 
 TEST(Q, AddsAndSubtractsExactly) {
-  constexpr Wide a = Wide::from_raw(1000);
-  constexpr Wide b = Wide::from_raw(-7);
-  static_assert((a + b).raw() == 993 && (a - b).raw() == 1007 && (-a).raw() == -1000);
-  Wide c = a;
-  c += b;
+  constexpr Wide kA = Wide::from_raw(1000);
+  constexpr Wide kB = Wide::from_raw(-7);
+  static_assert((kA + kB).raw() == 993 && (kA - kB).raw() == 1007 && (-kA).raw() == -1000);
+  Wide c = kA;
+  c += kB;
   EXPECT_EQ(c.raw(), 993);
-  c -= b;
-  EXPECT_EQ(c, a);
-  EXPECT_LT(b, a);
-  EXPECT_LE(a, a);
-  EXPECT_GT(a, b);
-  EXPECT_GE(a, a);
-  EXPECT_NE(a, b);
+  c -= kB;
+  EXPECT_EQ(c, kA);
+  EXPECT_LT(kB, kA);
+  EXPECT_LE(kA, kA);
+  EXPECT_GT(kA, kB);
+  EXPECT_GE(kA, kA);
+  EXPECT_NE(kA, kB);
 }
 
 #ifdef PALPATE_CHECKED

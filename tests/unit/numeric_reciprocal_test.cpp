@@ -7,7 +7,6 @@
 namespace palpate {
 namespace {
 
-using test::soaking;
 using test::sweep;
 using test::WorstError;
 

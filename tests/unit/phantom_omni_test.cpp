@@ -7,7 +7,6 @@
 namespace palpate::phantom {
 namespace {
 
-using test::degrees;
 using test::Triple;
 using test::WorstError;
 
