@@ -11,23 +11,12 @@
 #include <optional>
 
 #include "model_parameters.hpp"
+#include "text/split_at_commas.hpp"
 
 namespace palpate::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char character : line) {
-    if (character == ',') {
-      cells.emplace_back();
-    } else if (character != '\r') {
-      cells.back() += character;
-    }
-  }
-  return cells;
-}
 
 template <class Number>
 std::optional<Number> parse(const std::string& text, int base) {
@@ -65,7 +54,7 @@ void read_hash_csv(RunRecord& run) {
   std::ifstream file(run.source);
   std::string text;
   for (std::size_t line = 1; std::getline(file, text); ++line) {
-    const std::vector<std::string> cells = split(text);
+    const std::vector<std::string> cells = split_at_commas(text);
     if (line > 1) {
       add_row(run, cells, line);
     } else if (cells.size() < 2 || cells[0] != "tick") {
@@ -102,7 +91,7 @@ void read_console(RunRecord& run) {
   std::string text;
   bool has_end = false;
   for (std::size_t line = 1; std::getline(file, text); ++line) {
-    const std::vector<std::string> cells = split(text);
+    const std::vector<std::string> cells = split_at_commas(text);
     const std::vector<std::string> rest(cells.begin() + 1, cells.end());
     if (cells[0] == "stages") {
       run.stages = rest;
