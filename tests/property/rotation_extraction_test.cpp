@@ -47,8 +47,7 @@ struct Errors {
 };
 
 /// Errors after `steps` extractions, over many cases.
-template <class Stretches>
-Errors measure(uint64_t seed, double off_degrees, int steps, Stretches stretches) {
+Errors measure(uint64_t seed, double off_degrees, int steps, Vector3d (*stretches)(Random&)) {
   Random random(seed);
   std::vector<double> errors;
   for (uint32_t i = 0; i < in_soak(1000000u, 20000u); ++i) {
@@ -74,35 +73,38 @@ Vector3d inverted_stretches(Random& random) {
   return stretches;
 }
 
-TEST(RotationExtraction, OneStepFromOneDegree) {
-  const Errors errors = measure(21, 1.0, 1, tissue_stretches);
-  EXPECT_LT(errors.median, 9.6e-5);
-  EXPECT_LT(errors.most, 1.2e-4);
+struct Bound {
+  const char* name;
+  uint64_t seed;
+  double off_degrees;
+  int steps;
+  Vector3d (*stretches)(Random&);
+  double median_degrees, most_degrees;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Bound& bound) { return stream << bound.name; }
+
+class RotationExtractionError : public testing::TestWithParam<Bound> {};
+
+TEST_P(RotationExtractionError, IsBelowItsBound) {
+  const Bound& bound = GetParam();
+  const Errors errors = measure(bound.seed, bound.off_degrees, bound.steps, bound.stretches);
+  EXPECT_LT(errors.median, bound.median_degrees);
+  EXPECT_LT(errors.most, bound.most_degrees);
 }
-TEST(RotationExtraction, OneStepFromFiveDegrees) {
-  const Errors errors = measure(22, 5.0, 1, tissue_stretches);
-  EXPECT_LT(errors.median, 0.012);
-  EXPECT_LT(errors.most, 0.015);
-}
-TEST(RotationExtraction, TwoStepsReachTheFormat) {
-  const Errors errors = measure(23, 5.0, 2, tissue_stretches);
-  EXPECT_LT(errors.median, 2e-6);
-  EXPECT_LT(errors.most, 8e-6);
-}
-TEST(RotationExtraction, OneStepOfAnInvertedTetFromFiveDegrees) {
-  const Errors errors = measure(24, 5.0, 1, inverted_stretches);
-  EXPECT_LT(errors.median, 0.014);
-  EXPECT_LT(errors.most, 0.065);
-}
-TEST(RotationExtraction, TwoStepsOfAnInvertedTet) {
-  const Errors errors = measure(25, 5.0, 2, inverted_stretches);
-  EXPECT_LT(errors.median, 5e-6);
-  EXPECT_LT(errors.most, 6e-5);
-}
-TEST(RotationExtraction, ConvergesFromFarOff) {
-  const Errors errors = measure(26, 60.0, 8, tissue_stretches);
-  EXPECT_LT(errors.most, 8e-6);
-}
+
+constexpr Bound kBounds[] = {
+    {"OneStepFromOneDegree", 21, 1.0, 1, tissue_stretches, 9.6e-5, 1.2e-4},
+    {"OneStepFromFiveDegrees", 22, 5.0, 1, tissue_stretches, 0.012, 0.015},
+    {"TwoStepsReachTheFormat", 23, 5.0, 2, tissue_stretches, 2e-6, 8e-6},
+    {"OneStepOfAnInvertedTet", 24, 5.0, 1, inverted_stretches, 0.014, 0.065},
+    {"TwoStepsOfAnInvertedTet", 25, 5.0, 2, inverted_stretches, 5e-6, 6e-5},
+    {"ConvergesFromFarOff", 26, 60.0, 8, tissue_stretches, 2e-6, 8e-6},
+};
+
+std::string name_of(const testing::TestParamInfo<Bound>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Steps, RotationExtractionError, testing::ValuesIn(kBounds), name_of);
 
 uint64_t any_seed() { return *rc::gen::noShrink(rc::gen::arbitrary<uint64_t>()); }
 
