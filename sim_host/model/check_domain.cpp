@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "domain.hpp"
 #include "model_parameters.hpp"
 #include "stability.hpp"
 
 namespace palpate::sim {
 namespace {
 
-/// NaN fails every comparison, so it is refused too.
-void require_range(const std::string& name, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  throw BadInput(fmt::format("{} is {:g}, but must be {:g} to {:g}", name, value, low, high));
+void require_range(const std::string& name, double value, const Range& range) {
+  if (range.contains(value)) return;
+  throw BadInput(fmt::format("{} is {:g}, but must be {:g} to {:g}", name, value, range.low, range.high));
 }
 
 void check_regions(const ModelParameters& parameters) {
@@ -25,13 +25,13 @@ void check_regions(const ModelParameters& parameters) {
   for (const auto& region : regions) heaviest = std::max(heaviest, region.density_kg_m3);
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const std::string where = regions.size() == 1 ? "" : fmt::format("region {}: ", i);
-    require_range(where + "youngs_modulus_pa", regions[i].youngs_modulus_pa, 100.0, 1e6);
-    require_range(where + "poisson_ratio", regions[i].poisson_ratio, 0.0, 0.495);
-    require_range(where + "density_kg_m3", regions[i].density_kg_m3, 10.0, 2000.0);
+    require_range(where + "youngs_modulus_pa", regions[i].youngs_modulus_pa, domain::kYoungsModulusPa);
+    require_range(where + "poisson_ratio", regions[i].poisson_ratio, domain::kPoissonRatio);
+    require_range(where + "density_kg_m3", regions[i].density_kg_m3, domain::kDensityKgM3);
     require_range(where + "largest youngs_modulus_pa over this one", stiffest / regions[i].youngs_modulus_pa,
-                  1.0, 100.0);
-    require_range(where + "largest density_kg_m3 over this one", heaviest / regions[i].density_kg_m3, 1.0,
-                  20.0);
+                  domain::kModulusRatio);
+    require_range(where + "largest density_kg_m3 over this one", heaviest / regions[i].density_kg_m3,
+                  domain::kDensityRatio);
   }
 }
 
@@ -39,19 +39,19 @@ void check_shape(const ModelParameters& parameters) {
   constexpr const char* kAxes[3] = {"x", "y", "z"};
   std::size_t count = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    require_range(fmt::format("cubes along {}", kAxes[axis]), parameters.cubes[axis], 1, kMaxCubesPerAxis);
+    require_range(fmt::format("cubes along {}", kAxes[axis]), parameters.cubes[axis], domain::kCubesPerAxis);
     count *= static_cast<std::size_t>(parameters.cubes[axis]);
   }
-  require_range("edge_m", parameters.edge_m, 0.016, 0.128);
-  require_range("level", parameters.level, 0, kDeepestLevel);
+  require_range("edge_m", parameters.edge_m, domain::kEdgeM);
+  require_range("level", parameters.level, domain::kLevel);
   const auto& map = parameters.region_of_cube;
   if (!map.empty() && map.size() != count) {
     throw BadInput(
         fmt::format("region_of_cube has {} entries, but the block has {} cubes", map.size(), count));
   }
   for (const int region : map) {
-    require_range("an entry of region_of_cube", region, -1,
-                  static_cast<double>(parameters.regions.size()) - 1.0);
+    require_range("an entry of region_of_cube", region,
+                  {domain::kRegionOfCube.low, static_cast<double>(parameters.regions.size()) - 1.0});
   }
   if (!map.empty() && std::all_of(map.begin(), map.end(), [](int region) { return region < 0; })) {
     throw BadInput("region_of_cube leaves no cube: at least one entry must be 0 or more");
@@ -87,8 +87,8 @@ void check_impulse(const ModelParameters& parameters) {
 }
 
 void check_step(const ModelParameters& parameters) {
-  require_range("substeps", parameters.substeps, 1, kMaxSubsteps);
-  require_range("mass_damping_per_s", parameters.mass_damping_per_s, 0.0, 30.0);
+  require_range("substeps", parameters.substeps, domain::kSubsteps);
+  require_range("mass_damping_per_s", parameters.mass_damping_per_s, domain::kMassDampingPerS);
   const double step_s = 1e-3 / parameters.substeps;
   const int needed = needed_substeps(parameters);
   if (parameters.substeps < needed) {
@@ -105,8 +105,8 @@ void check_step(const ModelParameters& parameters) {
   }
   check_impulse(parameters);
   const double largest = largest_stiffness_damping_s(critical_step_s(parameters), step_s);
-  // beta_K / dt must also stay below 1, the format's end.
-  require_range("stiffness_damping_s", parameters.stiffness_damping_s, 0.0, std::min(largest, 0.99 * step_s));
+  require_range("stiffness_damping_s", parameters.stiffness_damping_s,
+                {0.0, std::min(largest, domain::kLargestDampingInSteps * step_s)});
 }
 
 }  // namespace
@@ -115,14 +115,15 @@ void check_domain(const ModelParameters& parameters) {
   check_shape(parameters);
   check_regions(parameters);
   check_step(parameters);
-  require_range("grasp_reach_m", parameters.grasp_reach_m, 0.0, 4.0 * parameters.edge_m);
+  require_range("grasp_reach_m", parameters.grasp_reach_m, {0.0, domain::kReachEdges * parameters.edge_m});
 }
 
 void check_domain(const SceneParameters& scene, const ModelParameters& parameters) {
+  const double reach_m = domain::kReachEdges * parameters.edge_m;
   for (const double coordinate : scene.body_centre_in_device_m) {
-    require_range("body_centre_in_device_m", coordinate, -4.0 * parameters.edge_m, 4.0 * parameters.edge_m);
+    require_range("body_centre_in_device_m", coordinate, {-reach_m, reach_m});
   }
-  require_range("force_scale", scene.force_scale, 0.01, 1000.0);
+  require_range("force_scale", scene.force_scale, domain::kForceScale);
 }
 
 }  // namespace palpate::sim

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "palpate/solve/dynamics.hpp"
+#include "domain.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -16,9 +16,9 @@ constexpr double kManyTicks = 1e8;
 
 /// Its index in Access is that of its type.
 template <class Member>
-Parameter make(const char* key, const char* unit, double low, double high, const char* meaning, Member access,
+Parameter make(const char* key, const char* unit, const Range& range, const char* meaning, Member access,
                unsigned kinds = kAllKinds) {
-  return Parameter{key, "", unit, meaning, low, high, {}, "", kinds, false, access};
+  return Parameter{key, "", unit, meaning, range, {}, "", kinds, false, access};
 }
 
 Parameter with_default(Parameter parameter, const char* text) {
@@ -38,7 +38,7 @@ Parameter output(Parameter parameter) {
 
 Parameter choice(const char* key, std::vector<std::string> choices, const char* meaning,
                  Field<std::string> access) {
-  Parameter parameter = make(key, "", 0, 0, meaning, access);
+  Parameter parameter = make(key, "", {}, meaning, access);
   parameter.choices = std::move(choices);
   return parameter;
 }
@@ -49,51 +49,55 @@ using WholeTriple = std::array<int, 3>;
 
 std::vector<Parameter> body_parameters() {
   return {
-      make("youngs_modulus_pa", "Pa", 100, 1e6, "Young's modulus", &RegionParameters::youngs_modulus_pa),
-      make("poisson_ratio", "", 0, 0.495, "Poisson ratio", &RegionParameters::poisson_ratio),
-      make("density_kg_m3", "kg/m3", 10, 2000, "density", &RegionParameters::density_kg_m3),
-      make("cubes", "cubes", 1, kMaxCubesPerAxis, "size of the block along x, y, z",
+      make("youngs_modulus_pa", "Pa", domain::kYoungsModulusPa, "Young's modulus",
+           &RegionParameters::youngs_modulus_pa),
+      make("poisson_ratio", "", domain::kPoissonRatio, "Poisson ratio", &RegionParameters::poisson_ratio),
+      make("density_kg_m3", "kg/m3", domain::kDensityKgM3, "density", &RegionParameters::density_kg_m3),
+      make("cubes", "cubes", domain::kCubesPerAxis, "size of the block along x, y, z",
            PALPATE_FIELD(WholeTriple, model.cubes)),
-      make("region_of_cube", "", -1, kRegions - 1, "[[region]] of each cube, x fastest; -1 leaves a cube out",
+      make("region_of_cube", "", domain::kRegionOfCube,
+           "[[region]] of each cube, x fastest; -1 leaves a cube out",
            PALPATE_FIELD(std::vector<int>, model.region_of_cube)),
-      make("edge_m", "m", 0.016, 0.128, "edge of a cube", PALPATE_FIELD(double, model.edge_m)),
-      with_default(make("level", "", 0, kDeepestLevel, "subdivision level of the uniform mesh",
+      make("edge_m", "m", domain::kEdgeM, "edge of a cube", PALPATE_FIELD(double, model.edge_m)),
+      with_default(make("level", "", domain::kLevel, "subdivision level of the uniform mesh",
                         PALPATE_FIELD(int, model.level)),
                    "the deepest up to 6 that the profile holds"),
-      make("substeps", "", 1, kMaxSubsteps, "integration steps a tick", PALPATE_FIELD(int, model.substeps)),
-      make("mass_damping_per_s", "1/s", 0, 30, "mass-proportional damping",
+      make("substeps", "", domain::kSubsteps, "integration steps a tick", PALPATE_FIELD(int, model.substeps)),
+      make("mass_damping_per_s", "1/s", domain::kMassDampingPerS, "mass-proportional damping",
            PALPATE_FIELD(double, model.mass_damping_per_s)),
-      make("stiffness_damping_s", "s", 0, 1e-3, "stiffness-proportional damping",
+      make("stiffness_damping_s", "s", domain::kStiffnessDampingS, "stiffness-proportional damping",
            PALPATE_FIELD(double, model.stiffness_damping_s)),
       with_default(choice("hold", {"one", "both", "none"}, "held end faces of the longest axis",
                           PALPATE_FIELD(std::string, hold)),
                    "one; both for cuboid-bend"),
-      make("grasp_reach_m", "m", 0, 0.5, "how far from a node a grasp still takes it",
+      make("grasp_reach_m", "m", domain::kGraspReachM, "how far from a node a grasp still takes it",
            PALPATE_FIELD(double, model.grasp_reach_m)),
   };
 }
 
 std::vector<Parameter> motion_parameters() {
-  Parameter node = make("node_mm", "mm", -1000, 1000, "rest position of the driven node",
+  Parameter node = make("node_mm", "mm", {-1000, 1000}, "rest position of the driven node",
                         PALPATE_FIELD(Triple, node_mm), kSine | kDeviceKinds);
   return {
       with_default(with_alias(node, "node"),
                    "a corner of the free end; the middle of a side if both ends are held"),
-      make("amplitude_mm", "mm", 0, 200, "amplitude of the node's motion",
+      make("amplitude_mm", "mm", {0, 200}, "amplitude of the node's motion",
            PALPATE_FIELD(double, sine.amplitude_mm), kSine),
-      make("slow", "", 1, 1000, "stretches the motion in time", PALPATE_FIELD(int, sine.slow), kSine),
-      with_alias(
-          make("angle_deg", "deg", 0, 180, "angle of the arc", PALPATE_FIELD(double, bend.angle_deg), kBend),
-          "angle"),
-      make("settle_damping_per_s", "1/s", 0, 30, "mass-proportional damping while the bent bar comes to rest",
+      make("slow", "", {1, 1000}, "stretches the motion in time", PALPATE_FIELD(int, sine.slow), kSine),
+      with_alias(make("angle_deg", "deg", {0, 180}, "angle of the arc", PALPATE_FIELD(double, bend.angle_deg),
+                      kBend),
+                 "angle"),
+      make("settle_damping_per_s", "1/s", domain::kMassDampingPerS,
+           "mass-proportional damping while the bent bar comes to rest",
            PALPATE_FIELD(double, bend.settle_damping_per_s), kBend),
-      make("drag_mm", "mm", -80, 80, "how far the tool drags the grasped corner along y",
+      make("drag_mm", "mm", {-80, 80}, "how far the tool drags the grasped corner along y",
            PALPATE_FIELD(double, grasp.drag_mm), kDeviceKinds),
-      make("force_scale", "", 0.01, 1000, "force on the handle over force of the tissue",
+      make("force_scale", "", domain::kForceScale, "force on the handle over force of the tissue",
            PALPATE_FIELD(double, grasp.scene.force_scale), kDeviceKinds),
-      make("body_centre_in_device_m", "m", -0.512, 0.512, "where the body's centre is in the device's frame",
+      make("body_centre_in_device_m", "m", domain::kBodyCentreM,
+           "where the body's centre is in the device's frame",
            PALPATE_FIELD(Triple, grasp.scene.body_centre_in_device_m), kDeviceKinds),
-      with_default(make("ticks", "ticks of 1 ms", 0, kManyTicks, "when to stop; 0: at the end",
+      with_default(make("ticks", "ticks of 1 ms", {0, kManyTicks}, "when to stop; 0: at the end",
                         PALPATE_FIELD(int, ticks)),
                    "0"),
       choice("profile", {"cuboid-paper", "cuboid-dense", "organ", "small", "workstation"},
@@ -107,11 +111,11 @@ std::vector<Parameter> output_parameters() {
   board.kinds = kDeviceKinds;
   return {
       board,
-      output(make("hash_every", "ticks", 1, kManyTicks, "ticks between two rows of hash.csv",
+      output(make("hash_every", "ticks", {1, kManyTicks}, "ticks between two rows of hash.csv",
                   PALPATE_FIELD(int, hash_every))),
-      output(with_default(make("out", "", 0, 0, "run folder to write", PALPATE_FIELD(std::string, out)),
+      output(with_default(make("out", "", {}, "run folder to write", PALPATE_FIELD(std::string, out)),
                           "out/<command>/<scenario>")),
-      output(make("plots", "", 0, 1, "draw pictures with gnuplot", PALPATE_FIELD(bool, plots))),
+      output(make("plots", "", {}, "draw pictures with gnuplot", PALPATE_FIELD(bool, plots))),
   };
 }
 
@@ -164,7 +168,7 @@ std::string describe_range(const Parameter& parameter) {
   if (!parameter.choices.empty()) return fmt::format("{}", fmt::join(parameter.choices, ", "));
   if (std::holds_alternative<Field<bool>>(parameter.access)) return "on, off";
   if (std::holds_alternative<Field<std::string>>(parameter.access)) return "a path";
-  std::string range = fmt::format("{:g} .. {:g}{}{}", parameter.low, parameter.high,
+  std::string range = fmt::format("{:g} .. {:g}{}{}", parameter.range.low, parameter.range.high,
                                   parameter.unit.empty() ? "" : " ", parameter.unit);
   if (std::holds_alternative<Field<Triple>>(parameter.access)) return "three numbers, " + range;
   if (std::holds_alternative<Field<WholeTriple>>(parameter.access)) return "three whole numbers, " + range;

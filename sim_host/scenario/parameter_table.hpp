@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <variant>
 
+#include "domain.hpp"
 #include "scenario/scenario.hpp"
 
 namespace palpate::sim {
@@ -30,7 +31,7 @@ struct Parameter {
   std::string alias;  // a second, shorter key; may be empty
   std::string unit;
   std::string meaning;
-  double low, high;  // of numbers
+  Range range;  // of numbers
   std::vector<std::string> choices;
   std::string default_text;  // empty: the built-in scenarios' value
   unsigned kinds;

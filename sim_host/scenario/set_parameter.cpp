@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scenario/parameter_table.hpp"
+#include "text/split_at_commas.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -28,20 +29,8 @@ Number read_number(const std::string& text, const Source& source) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   const auto as_double = static_cast<double>(value);
   if (error != std::errc{} || stop != end || !std::isfinite(as_double)) source.refuse();
-  if (as_double < source.parameter.low || as_double > source.parameter.high) source.refuse();
+  if (!source.parameter.range.contains(as_double)) source.refuse();
   return value;
-}
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char character : text) {
-    if (character == ',') {
-      parts.emplace_back();
-    } else if (character != ' ') {
-      parts.back() += character;
-    }
-  }
-  return parts;
 }
 
 void assign(double& value, const Source& source) { value = read_number<double>(source.text, source); }
@@ -62,14 +51,15 @@ void assign(std::string& value, const Source& source) {
 
 template <class Number>
 void assign(std::array<Number, 3>& value, const Source& source) {
-  const std::vector<std::string> parts = split(source.text);
+  const std::vector<std::string> parts = split_at_commas(source.text);
   if (parts.size() != value.size()) source.refuse();
   for (std::size_t i = 0; i < value.size(); ++i) value[i] = read_number<Number>(parts[i], source);
 }
 
 void assign(std::vector<int>& value, const Source& source) {
   value.clear();
-  for (const std::string& part : split(source.text)) value.push_back(read_number<int>(part, source));
+  for (const std::string& part : split_at_commas(source.text))
+    value.push_back(read_number<int>(part, source));
 }
 
 }  // namespace

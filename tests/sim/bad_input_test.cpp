@@ -45,6 +45,7 @@ constexpr Case kFlags[] = {
     {"OutOfRange", "run cuboid-sine --poisson-ratio 0.5", "0 .. 0.495"},
     {"Negative", "run cuboid-sine --substeps -1", "1 .. 8"},
     {"TwoNumbersOfThree", "run cuboid-sine --node 1,2", "three numbers"},
+    {"BlankInsideANumber", "run cuboid-sine --node '1 2,3,4'", "three numbers"},
     {"UnknownChoice", "run cuboid-sine --hold left", "one, both, none"},
     {"UnknownProfile", "run cuboid-sine --profile tiny",
      "cuboid-paper, cuboid-dense, organ, small, workstation"},
