@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "output/interrupt.hpp"
 #include "output/output_file.hpp"
 #include "output/progress.hpp"
 #include "output/projection.hpp"
+#include "output/vtu_series.hpp"
 #include "scenario/errors.hpp"
 
 namespace palpate::sim {
@@ -94,6 +96,11 @@ Recording record(Simulation& simulation, const Scenario& scenario, const RunFold
   recording.at_peak = simulation.shape();
   ForceLog forces(folder.file("force.csv"), simulation.has_device());
   HashLog hashes(folder.file("hash.csv"), simulation.hash_names());
+  std::optional<VtuSeries> bodies;
+  if (scenario.vtu_every > 0) {
+    bodies.emplace(folder.temporary());
+    bodies->add(simulation.fields(), 0);
+  }
   Progress progress(simulation.expected_ticks());
   const auto start = std::chrono::steady_clock::now();
   double farthest_mm = 0.0;
@@ -101,9 +108,11 @@ Recording record(Simulation& simulation, const Scenario& scenario, const RunFold
     goes_on = simulation.advance();
     const Sample sample = simulation.sample();
     forces.add(sample);
-    if (!goes_on || sample.tick % static_cast<uint32_t>(scenario.hash_every) == 0) {
-      hashes.add(sample.tick, simulation.hashes());
-    }
+    const auto is_due = [&](int every) {
+      return !goes_on || sample.tick % static_cast<uint32_t>(every) == 0;
+    };
+    if (is_due(scenario.hash_every)) hashes.add(sample.tick, simulation.hashes());
+    if (bodies && is_due(scenario.vtu_every)) bodies->add(simulation.fields(), sample.tick);
     recording.peak_force_n = std::max(recording.peak_force_n, length(sample.force_n));
     recording.all_flags |= sample.flags;
     keep_path(sample.tool_mm, recording.tool_path_mm);
@@ -116,6 +125,7 @@ Recording record(Simulation& simulation, const Scenario& scenario, const RunFold
   recording.state_hash = simulation.hashes().back();
   forces.close();
   hashes.close();
+  if (bodies) bodies->close();
   write_nodes(simulation.shape(), folder.file("nodes.csv"));
   return recording;
 }

@@ -20,7 +20,8 @@ struct Recording {
   std::vector<std::array<double, 3>> tool_path_mm;
 };
 
-/// Writes force.csv, hash.csv and nodes.csv. Throws Interrupted on Ctrl-C.
+/// Writes force.csv, hash.csv and nodes.csv, and on request the series of .vtu files. Throws Interrupted on
+/// Ctrl-C.
 Recording record(Simulation& simulation, const Scenario& scenario, const RunFolder& folder);
 
 /// summary.json, see docs: version, scenario, what came out, parameters.

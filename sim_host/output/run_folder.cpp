@@ -7,6 +7,7 @@
 #include <string>
 
 #include "model_parameters.hpp"
+#include "output/vtu_series.hpp"
 #include "scenario/errors.hpp"
 
 namespace palpate::sim {
@@ -14,11 +15,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string>& run_file_names() {
-  static const std::vector<std::string> file_names = {"summary.json", "force.csv",       "hash.csv",
-                                                      "nodes.csv",    "force.svg",       "body.png",
-                                                      "body.svg",     "motor_codes.svg", "displacement.svg"};
-  return file_names;
+bool is_run_file(const std::string& name) {
+  static const std::vector<std::string> names = {
+      "summary.json", "force.csv",       "hash.csv",         "nodes.csv",        "force.svg",     "body.png",
+      "body.svg",     "motor_codes.svg", "displacement.svg", VtuSeries::kFolder, VtuSeries::kList};
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void require_only(const fs::path& path, bool (*is_written_by_a_run)(const std::string& name)) {
+  for (const auto& entry : fs::directory_iterator(path)) {
+    const std::string name = entry.path().filename().string();
+    if (is_written_by_a_run(name)) continue;
+    throw BadInput(fmt::format("'{}' holds '{}', which no run writes; choose another --out, or empty it",
+                               path.string(), name));
+  }
 }
 
 /// Only what a run wrote may be replaced by a run.
@@ -26,12 +36,9 @@ void require_replaceable(const fs::path& path) {
   if (!fs::exists(fs::symlink_status(path))) return;
   if (!fs::is_directory(path))
     throw BadInput(fmt::format("'{}' is not a folder; choose another --out", path.string()));
-  const auto& names = run_file_names();
-  for (const auto& entry : fs::directory_iterator(path)) {
-    if (std::find(names.begin(), names.end(), entry.path().filename().string()) != names.end()) continue;
-    throw BadInput(fmt::format("'{}' holds '{}', which no run writes; choose another --out, or empty it",
-                               path.string(), entry.path().filename().string()));
-  }
+  require_only(path, is_run_file);
+  const fs::path bodies = path / VtuSeries::kFolder;
+  if (fs::is_directory(bodies)) require_only(bodies, VtuSeries::is_file_name);
 }
 
 fs::path without_trailing_slash(const fs::path& path) {

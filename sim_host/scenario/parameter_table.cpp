@@ -113,6 +113,8 @@ std::vector<Parameter> output_parameters() {
       board,
       output(make("hash_every", "ticks", {1, kManyTicks}, "ticks between two rows of hash.csv",
                   PALPATE_FIELD(int, hash_every))),
+      output(make("vtu_every", "ticks", {0, kManyTicks}, "ticks between two .vtu files for ParaView; 0: none",
+                  PALPATE_FIELD(int, vtu_every))),
       output(with_default(make("out", "", {}, "run folder to write", PALPATE_FIELD(std::string, out)),
                           "out/<command>/<scenario>")),
       output(make("plots", "", {}, "draw pictures with gnuplot", PALPATE_FIELD(bool, plots))),

@@ -43,6 +43,7 @@ struct Scenario {
   bool node_given = false;
   int ticks = kAllTicks;
   int hash_every = 100;
+  int vtu_every = 0;  // 0: never
   std::string out;
   bool plots = true;
 };

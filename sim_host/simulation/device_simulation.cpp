@@ -2,6 +2,7 @@
 #include "palpate/firmware/cycle.hpp"
 #include "scenario/grasp_script.hpp"
 #include "simulation/body_reading.hpp"
+#include "simulation/read_fields.hpp"
 #include "simulation/with_profile.hpp"
 
 namespace palpate::sim {
@@ -45,6 +46,7 @@ class DeviceSimulation final : public Simulation {
   [[nodiscard]] bool has_device() const override { return true; }
   [[nodiscard]] Totals totals() const override { return read_totals(state_->core); }
   [[nodiscard]] BodyShape shape() const override { return read_shape(state_->core, scenario_.model); }
+  [[nodiscard]] BodyFields fields() const override { return read_fields(state_->core, scenario_.model); }
 
   [[nodiscard]] std::vector<std::string> hash_names() const override {
     std::vector<std::string> names;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "scenario/scenario.hpp"
+#include "simulation/body_fields.hpp"
 
 namespace palpate::sim {
 
@@ -53,6 +54,7 @@ class Simulation {
 
   [[nodiscard]] virtual Totals totals() const = 0;
   [[nodiscard]] virtual BodyShape shape() const = 0;
+  [[nodiscard]] virtual BodyFields fields() const = 0;
   /// Why the run did not end as it should, if so.
   [[nodiscard]] virtual std::optional<std::string> failure() const { return std::nullopt; }
 };

@@ -2,6 +2,7 @@
 #include "palpate/tick/hash.hpp"
 #include "simulation/arc.hpp"
 #include "simulation/body_reading.hpp"
+#include "simulation/read_fields.hpp"
 #include "simulation/rest_detector.hpp"
 #include "simulation/with_profile.hpp"
 
@@ -36,6 +37,7 @@ class ToolSimulation : public Simulation {
   [[nodiscard]] bool has_device() const override { return false; }
   [[nodiscard]] Totals totals() const override { return read_totals(*state_); }
   [[nodiscard]] BodyShape shape() const override { return read_shape(*state_, scenario_.model); }
+  [[nodiscard]] BodyFields fields() const override { return read_fields(*state_, scenario_.model); }
 
   [[nodiscard]] std::vector<std::string> hash_names() const override {
     std::vector<std::string> names;

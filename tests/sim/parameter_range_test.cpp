@@ -1,11 +1,18 @@
 // The range that help prints is the range that holds: its ends are taken, by the model too, and what is just
 // outside is refused with the range.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "program.hpp"
 #include "scenario/parameter_table.hpp"
 
 namespace palpate::sim {
+
+/// For the tests' messages; found beside Parameter only.
+std::ostream& operator<<(std::ostream& stream, const Parameter& parameter) { return stream << parameter.key; }
+
 namespace {
 
 using test::Outcome;
@@ -109,8 +116,4 @@ std::string name_of(const testing::TestParamInfo<Parameter>& info) { return info
 INSTANTIATE_TEST_SUITE_P(Table, ParameterRange, testing::ValuesIn(ranged_parameters()), name_of);
 
 }  // namespace
-
-/// For the tests' messages.
-void PrintTo(const Parameter& parameter, std::ostream* stream) { *stream << parameter.key; }
-
 }  // namespace palpate::sim
