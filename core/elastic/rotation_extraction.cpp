@@ -21,7 +21,7 @@ struct NewtonSystem {  // H omega = a, scaled by a power of two so that its larg
 
 uint32_t magnitude(int32_t raw) { return static_cast<uint32_t>(raw < 0 ? -raw : raw); }
 
-NewtonSystem newton_system(const Matrix3<Strain>& b) {
+NewtonSystem newton_system(const Matrix3<Corotated>& b) {
   // Twice H and twice a, so that nothing is halved: |entries| <= 4 * 14 fit 32 bits with 24 fraction bits.
   const int32_t h00 = 2 * (b(1, 1).raw() + b(2, 2).raw());
   const int32_t h11 = 2 * (b(0, 0).raw() + b(2, 2).raw());
@@ -90,18 +90,13 @@ Quaternion cayley_update(const Quaternion& q, const Vector3<Unit>& omega) {
   const Unit px = narrow<Unit>(q.x * one + q.w * x + q.y * z - q.z * y);
   const Unit py = narrow<Unit>(q.y * one + q.w * y + q.z * x - q.x * z);
   const Unit pz = narrow<Unit>(q.z * one + q.w * z + q.x * y - q.y * x);
-  // |p|^2 is in [1, 1.75]: half of it is well inside the root's domain. 1/|p| = root / sqrt 2.
-  const auto half_square = narrow<Q<0, 31>>(divide_by_power_of_two<1>(pw * pw + px * px + py * py + pz * pz));
-  constexpr Unit kRootOfHalf = Unit::ratio(7071067811865475, 10000000000000000);
-  const auto scale = narrow<Unit>(reciprocal_square_root_normalised(half_square) * kRootOfHalf);
-  return Quaternion{narrow<Unit>(pw * scale), narrow<Unit>(px * scale), narrow<Unit>(py * scale),
-                    narrow<Unit>(pz * scale)};
+  return normalised(Quaternion{pw, px, py, pz});  // |p|^2 is in [1, 1.75]
 }
 
 }  // namespace
 
 Quaternion extract_rotation(const DeformationGradient& f, const Quaternion& warm) {
-  const Matrix3<Strain> b = corotated_gradient(rotation_matrix(warm), f);
+  const Matrix3<Corotated> b = narrow<Corotated>(rotation_matrix(warm).transpose() * f);
   return cayley_update(warm, step(newton_system(b)));
 }
 

@@ -65,12 +65,14 @@ void check_impulse(const ModelParameters& parameters) {
   constexpr double kLowest = 1.0 / 65536.0;  // of the heaviest, 48 tets: 12 bits are left
   double lightest = 1e9;
   double heaviest = 0.0;
+  int finest = 0;
   for (const RegionParameters& region : parameters.regions) {
+    finest = std::max(finest, parameters.finest_level(region));
     lightest = std::min(lightest, region.density_kg_m3);
     heaviest = std::max(heaviest, region.density_kg_m3);
   }
   const double step_s = 1e-3 / parameters.substeps;
-  const double tet_m3 = std::pow(parameters.edge_m, 3) / 6.0 * std::ldexp(1.0, -parameters.level);
+  const double tet_m3 = std::pow(parameters.edge_m, 3) / 6.0 * std::ldexp(1.0, -finest);
   const double force_step = step_s * step_s * reference_modulus_pa(parameters) * parameters.edge_m;
   const double highest = force_step / (lightest * tet_m3 / 4.0);
   if (highest > kHighest) {
@@ -109,11 +111,26 @@ void check_step(const ModelParameters& parameters) {
                 {0.0, std::min(largest, domain::kLargestDampingInSteps * step_s)});
 }
 
+void check_remesh(const ModelParameters& parameters) {
+  const RemeshParameters& remesh = parameters.remesh;
+  require_range("rotation_level", remesh.rotation_level, domain::kLevel);
+  require_range("rotation_split_deg", remesh.rotation_split_deg, domain::kRotationSplitDeg);
+  require_range("rotation_join_ratio", remesh.rotation_join_ratio, domain::kHysteresis);
+  require_range("stretch_split", remesh.stretch_split, domain::kStretchSplit);
+  require_range("stretch_merge_ratio", remesh.stretch_merge_ratio, domain::kHysteresis);
+  for (const RegionParameters& region : parameters.regions) {
+    require_range("least_level", region.least_level, domain::kLevel);
+    require_range("most_level", region.most_level,
+                  {static_cast<double>(region.least_level), domain::kLevel.high});
+  }
+}
+
 }  // namespace
 
 void check_domain(const ModelParameters& parameters) {
   check_shape(parameters);
   check_regions(parameters);
+  check_remesh(parameters);
   check_step(parameters);
   require_range("grasp_reach_m", parameters.grasp_reach_m, {0.0, domain::kReachEdges * parameters.edge_m});
 }

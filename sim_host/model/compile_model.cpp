@@ -2,12 +2,14 @@
 #include <cmath>
 
 #include "model_parameters.hpp"
+#include "palpate/elastic/groups.hpp"
 #include "units.hpp"
 
 namespace palpate::sim {
 namespace {
 
 constexpr double kTickS = 1e-3;
+constexpr double kPi = 3.14159265358979323846;
 
 Block compile_block(const ModelParameters& parameters) {
   Block block{};
@@ -26,7 +28,7 @@ Material compile_material(const RegionParameters& region, double reference_pa) {
   const double mu = region.youngs_modulus_pa / (2.0 * (1.0 + nu));
   const double lambda = region.youngs_modulus_pa * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
   return Material{to_fixed<ShearCoefficient>(mu / (6.0 * reference_pa)),
-                  to_fixed<BulkCoefficient>(lambda / (12.0 * reference_pa))};
+                  to_fixed<BulkCoefficient>(lambda / (6.0 * reference_pa))};
 }
 
 double heaviest_density(const ModelParameters& parameters) {
@@ -50,6 +52,42 @@ Dynamics compile_dynamics(const ModelParameters& parameters) {
   dynamics.impulse_mantissa = to_fixed_below<Q<0, 31>>(mantissa);
   dynamics.impulse_exponent = static_cast<int8_t>(exponent);
   return dynamics;
+}
+
+const RegionParameters& region_or_last(const ModelParameters& parameters, std::size_t i) {
+  return parameters.regions[std::min(i, parameters.regions.size() - 1)];
+}
+
+/// 4 (1 - cos) is |R_m - R_n|_F^2; a root whose halves are this far apart has half of it as misfit.
+uint32_t compile_angle(double degrees, RotationCriterion criterion) {
+  const double square = 4.0 * (1.0 - std::cos(degrees * kPi / 180.0));
+  return static_cast<uint32_t>(criterion == RotationCriterion::kSiblings ? to_fixed<Q<4, 27>>(square).raw()
+                                                                         : to_fixed_below<Misfit>(square / 2.0).raw());
+}
+
+RotationRules compile_rotation_rules(const RemeshParameters& remesh) {
+  // Full corotation splits whatever can be split and never joins.
+  if (remesh.rotation == RotationCriterion::kFull) return RotationRules{remesh.rotation, 0, 0, 0};
+  return RotationRules{remesh.rotation, static_cast<uint8_t>(remesh.rotation_level),
+                       compile_angle(remesh.rotation_split_deg, remesh.rotation),
+                       compile_angle(remesh.rotation_join_ratio * remesh.rotation_split_deg, remesh.rotation)};
+}
+
+StretchRules compile_stretch_rules(const ModelParameters& parameters) {
+  const RemeshParameters& remesh = parameters.remesh;
+  const auto threshold = [&](double value) {
+    const bool is_jump = remesh.stretch == StretchCriterion::kStrainJump;
+    return to_fixed<Q<4, 27>>(is_jump ? 2.0 * value : (1.0 + value) * (1.0 + value) - 1.0);
+  };
+  StretchRules rules{remesh.stretch,
+                     threshold(remesh.stretch_split),
+                     threshold(remesh.stretch_merge_ratio * remesh.stretch_split),
+                     {}};
+  for (std::size_t i = 0; i < kRegions; ++i) {
+    const RegionParameters& region = region_or_last(parameters, i);
+    rules.levels[i] = {static_cast<uint8_t>(region.least_level), static_cast<uint8_t>(region.most_level)};
+  }
+  return rules;
 }
 
 /// The box of lattice points on the low (0) or high (1) end face of the longest axis.
@@ -81,12 +119,13 @@ Model compile_model(const ModelParameters& parameters) {
   model.block = compile_block(parameters);
   model.level = static_cast<uint8_t>(parameters.level);
   for (std::size_t i = 0; i < kRegions; ++i) {
-    const RegionParameters& region = parameters.regions[std::min(i, parameters.regions.size() - 1)];
+    const RegionParameters& region = region_or_last(parameters, i);
     model.materials[i] = compile_material(region, reference_modulus_pa(parameters));
     model.region_density[i] = static_cast<uint16_t>(
         std::lround(region.density_kg_m3 / heaviest_density(parameters) * static_cast<double>(kDensityOne)));
   }
   model.dynamics = compile_dynamics(parameters);
+  model.remesh = {compile_rotation_rules(parameters.remesh), compile_stretch_rules(parameters)};
   model.held = {parameters.held == HeldEnds::kNone ? kEmpty : end_face(model.block, 0),
                 parameters.held == HeldEnds::kBoth ? end_face(model.block, 1) : kEmpty};
   model.grasp_reach = to_fixed<Position>(parameters.grasp_reach_m / parameters.edge_m);

@@ -36,6 +36,11 @@ inline constexpr Range kMassDampingPerS{0.0, 30.0};
 inline constexpr double kLargestDampingInSteps = 0.99;
 inline constexpr Range kStiffnessDampingS{0.0, kLargestDampingInSteps * 1e-3};
 
+inline constexpr Range kRotationSplitDeg{0.005, 60.0};
+inline constexpr Range kStretchSplit{0.001, 1.0};
+/// Of a lower threshold to the upper one.
+inline constexpr Range kHysteresis{0.0, 1.0};
+
 /// How far a grasp reaches, and how far the body may be from the device's origin.
 inline constexpr double kReachEdges = 4.0;
 inline constexpr double kFarthestM = kReachEdges * kEdgeM.high;

@@ -2,6 +2,7 @@
 // refuses it with the place, the value and the range that would be right.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -20,9 +21,22 @@ struct RegionParameters {
   double youngs_modulus_pa = 500.0;
   double poisson_ratio = 0.49;
   double density_kg_m3 = 10.0;
+  int least_level = 0;  // of leaves, while the mesh changes
+  int most_level = 6;
 };
 
 enum class HeldEnds { kNone, kOne, kBoth };  // the faces at the low end, or at both ends, of the longest axis
+
+/// When the two fronts change (palpate/remesh/rules.hpp).
+struct RemeshParameters {
+  RotationCriterion rotation = RotationCriterion::kMisfit;
+  int rotation_level = 0;             // of the coarsest rotation tets
+  double rotation_split_deg = 1.5;    // theta_max
+  double rotation_join_ratio = 0.85;  // theta_min / theta_max
+  StretchCriterion stretch = StretchCriterion::kFixed;
+  double stretch_split = 0.1;        // elongation l / l0 - 1; of a strain jump, the difference of strains
+  double stretch_merge_ratio = 0.5;  // the same below which leaves are merged, over stretch_split
+};
 
 struct ModelParameters {
   std::array<int, 3> cubes = {1, 1, 3};  // x, y, z
@@ -35,6 +49,11 @@ struct ModelParameters {
   double stiffness_damping_s = 50e-6;
   HeldEnds held = HeldEnds::kOne;
   double grasp_reach_m = 0.010;
+  RemeshParameters remesh;
+  /// Of any leaf, now or later.
+  [[nodiscard]] int finest_level(const RegionParameters& region) const {
+    return remesh.stretch == StretchCriterion::kFixed ? level : std::max(level, region.most_level);
+  }
 };
 
 /// Where the device's workspace meets the body: the device frame's axes are the body's.

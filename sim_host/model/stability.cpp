@@ -33,7 +33,7 @@ double critical_step_s(int level, double edge_m, const RegionParameters& region)
 double critical_step_s(const ModelParameters& parameters) {
   double least = 1e9;
   for (const RegionParameters& region : parameters.regions) {
-    least = std::min(least, critical_step_s(parameters.level, parameters.edge_m, region));
+    least = std::min(least, critical_step_s(parameters.finest_level(region), parameters.edge_m, region));
   }
   return least;
 }

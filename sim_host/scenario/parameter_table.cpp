@@ -75,6 +75,32 @@ std::vector<Parameter> body_parameters() {
   };
 }
 
+std::vector<Parameter> remesh_parameters() {
+  return {
+      choice("rotations", {"misfit", "siblings", "full"}, "what splits the tets whose rotation is extracted",
+             PALPATE_FIELD(std::string, rotations)),
+      make("rotation_level", "", domain::kLevel, "of the coarsest tets whose rotation is extracted",
+           PALPATE_FIELD(int, model.remesh.rotation_level)),
+      with_alias(make("rotation_split_deg", "deg", domain::kRotationSplitDeg,
+                      "theta_max: where such a tet is split",
+                      PALPATE_FIELD(double, model.remesh.rotation_split_deg)),
+                 "theta"),
+      make("rotation_join_ratio", "", domain::kHysteresis, "theta_min, where two are joined, over theta_max",
+           PALPATE_FIELD(double, model.remesh.rotation_join_ratio)),
+      choice("stretch", {"fixed", "longest-edge", "six-edges", "strain-jump"},
+             "what refines the mesh; fixed: nothing", PALPATE_FIELD(std::string, stretch)),
+      make("stretch_split", "", domain::kStretchSplit,
+           "elongation (strain-jump: difference of strains) where a leaf is split",
+           PALPATE_FIELD(double, model.remesh.stretch_split)),
+      make("stretch_merge_ratio", "", domain::kHysteresis, "that where leaves are merged, over stretch_split",
+           PALPATE_FIELD(double, model.remesh.stretch_merge_ratio)),
+      make("least_level", "", domain::kLevel, "coarsest level while the mesh changes",
+           &RegionParameters::least_level),
+      make("most_level", "", domain::kLevel, "finest level while the mesh changes",
+           &RegionParameters::most_level),
+  };
+}
+
 std::vector<Parameter> motion_parameters() {
   Parameter node = make("node_mm", "mm", {-1000, 1000}, "rest position of the driven node",
                         PALPATE_FIELD(Triple, node_mm), kSine | kDeviceKinds);
@@ -125,7 +151,7 @@ std::vector<Parameter> output_parameters() {
 
 std::vector<Parameter> all_parameters() {
   std::vector<Parameter> all = body_parameters();
-  for (auto part : {motion_parameters(), output_parameters()}) {
+  for (auto part : {remesh_parameters(), motion_parameters(), output_parameters()}) {
     std::move(part.begin(), part.end(), std::back_inserter(all));
   }
   return all;
@@ -157,7 +183,7 @@ nlohmann::json parameter_value(const Parameter& parameter, const Scenario& scena
   Scenario copy = scenario;  // Access is for writing
   return std::visit(
       [&](auto access) -> nlohmann::json {
-        if constexpr (std::is_same_v<decltype(access), double RegionParameters::*>) {
+        if constexpr (kIsOfRegion<decltype(access)>) {
           return copy.model.regions[0].*access;
         } else {
           return access(copy);
@@ -176,7 +202,9 @@ std::string describe_range(const Parameter& parameter) {
   if (std::holds_alternative<Field<WholeTriple>>(parameter.access)) return "three whole numbers, " + range;
   if (std::holds_alternative<Field<std::vector<int>>>(parameter.access))
     return "a whole number a cube, " + range;
-  if (std::holds_alternative<Field<int>>(parameter.access)) return "a whole number, " + range;
+  const bool is_whole = std::holds_alternative<Field<int>>(parameter.access) ||
+                        std::holds_alternative<int RegionParameters::*>(parameter.access);
+  if (is_whole) return "a whole number, " + range;
   return range;
 }
 

@@ -18,7 +18,12 @@ using Field = T& (*)(Scenario&);
 /// all regions.
 using Access =
     std::variant<Field<double>, Field<int>, Field<bool>, Field<std::string>, Field<std::array<double, 3>>,
-                 Field<std::array<int, 3>>, Field<std::vector<int>>, double RegionParameters::*>;
+                 Field<std::array<int, 3>>, Field<std::vector<int>>, double RegionParameters::*,
+                 int RegionParameters::*>;
+
+template <class Where>
+inline constexpr bool kIsOfRegion =
+    std::is_same_v<Where, double RegionParameters::*> || std::is_same_v<Where, int RegionParameters::*>;
 
 /// Scenarios that have a parameter, one bit a kind.
 constexpr unsigned kind_bit(ScenarioKind kind) { return 1u << static_cast<unsigned>(kind); }

@@ -37,6 +37,17 @@ HeldEnds held_ends(const std::string& hold) {
   return hold == "one" ? HeldEnds::kOne : HeldEnds::kBoth;
 }
 
+RotationCriterion rotation_criterion(const std::string& name) {
+  if (name == "full") return RotationCriterion::kFull;
+  return name == "siblings" ? RotationCriterion::kSiblings : RotationCriterion::kMisfit;
+}
+
+StretchCriterion stretch_criterion(const std::string& name) {
+  if (name == "longest-edge") return StretchCriterion::kLongestEdge;
+  if (name == "six-edges") return StretchCriterion::kSixEdges;
+  return name == "strain-jump" ? StretchCriterion::kStrainJump : StretchCriterion::kFixed;
+}
+
 }  // namespace
 
 const std::vector<std::string>& scenario_names() {
@@ -78,6 +89,8 @@ Scenario load_scenario(const std::string& name_or_path) {
 
 void complete_scenario(Scenario& scenario) {
   scenario.model.held = held_ends(scenario.hold);
+  scenario.model.remesh.rotation = rotation_criterion(scenario.rotations);
+  scenario.model.remesh.stretch = stretch_criterion(scenario.stretch);
   if (scenario.kind == ScenarioKind::kBend && scenario.hold != "both") {
     throw BadInput(fmt::format(
         "hold is '{}', but cuboid-bend turns the second of two held ends: it must be both", scenario.hold));

@@ -35,6 +35,8 @@ struct Scenario {
   std::string profile = "cuboid-paper";
   std::string board = "host";
   std::string hold = "one";
+  std::string rotations = "misfit";
+  std::string stretch = "fixed";
   ModelParameters model;
   SineParameters sine;
   BendParameters bend;

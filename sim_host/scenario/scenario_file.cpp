@@ -16,7 +16,7 @@
 namespace palpate::sim {
 namespace {
 
-const char* const kRegionKeys = "youngs_modulus_pa, poisson_ratio, density_kg_m3";
+const char* const kRegionKeys = "youngs_modulus_pa, poisson_ratio, density_kg_m3, least_level, most_level";
 
 std::string place_of(const std::string& path, const toml::source_region& source) {
   return fmt::format("{}:{}:{}: ", path, source.begin.line, source.begin.column);
@@ -54,6 +54,10 @@ std::string text_of(const toml::node& node, const Parameter& parameter, const st
   throw BadInput(fmt::format("{}{} must be {}", place, parameter.key, describe_range(parameter)));
 }
 
+bool is_of_region(const Parameter& parameter) {
+  return std::visit([](auto access) { return kIsOfRegion<decltype(access)>; }, parameter.access);
+}
+
 void read_region(const toml::table& table, const std::string& path, Scenario& scenario,
                  RegionParameters region) {
   Scenario reader = scenario;
@@ -61,7 +65,7 @@ void read_region(const toml::table& table, const std::string& path, Scenario& sc
   for (const auto& [key, node] : table) {
     const std::string place = place_of(path, key.source());
     const Parameter* parameter = find_parameter(std::string(key.str()));
-    if (parameter == nullptr || !std::holds_alternative<double RegionParameters::*>(parameter->access)) {
+    if (parameter == nullptr || !is_of_region(*parameter)) {
       throw BadInput(
           fmt::format("{}a [[region]] has no key '{}'; its keys are {}", place, key.str(), kRegionKeys));
     }

@@ -69,7 +69,7 @@ void set_parameter(Scenario& scenario, const Parameter& parameter, const std::st
   const Source source{parameter, text, place};
   std::visit(
       [&](auto access) {
-        if constexpr (std::is_same_v<decltype(access), double RegionParameters::*>) {
+        if constexpr (kIsOfRegion<decltype(access)>) {
           for (RegionParameters& region : scenario.model.regions) assign(region.*access, source);
         } else {
           assign(access(scenario), source);

@@ -21,7 +21,7 @@ void require_started(Status status) {
 
 template <class Profile>
 Totals read_totals(const State<Profile>& state) {
-  return Totals{state.forest.leaf_count, state.forest.nodes.used(), state.groups.count, state.clamps};
+  return Totals{state.forest.leaf_count, state.forest.nodes.used(), state.front.groups.used(), state.clamps};
 }
 
 /// The node nearest to the scenario's at rest; BadInput when that is too far away.

@@ -29,7 +29,7 @@ void read_strain(const State<Profile>& state, const Leaf& leaf, const ModelParam
                    position[leaf.node[2]], position[leaf.node[3]]);
   uint32_t clamped = 0;
   const DeformationGradient f = deformation_gradient(edges, leaf.axes, leaf.level, clamped);
-  const Matrix3<Strain> a = corotated_gradient(state.groups.matrix[leaf.group], f);
+  const Matrix3<Strain> a = corotated_gradient(rotation_matrix(state.groups.used[leaf.group]), f, clamped);
   const Matrix3<Stress> sigma = corotated_stress(a, state.model.materials[leaf.region], clamped);
   constexpr double kModuliInStressUnit = 6.0;
   fields.volume_ratio.push_back(to_doubles(f).determinant());

@@ -1,77 +1,109 @@
-// Groups: a tet whose rotation is extracted, with the leaves that use it. Here every leaf is its own group
-// (full corotation); a leaf only knows its group's index, so a coarser front changes nothing in the force
-// loop.
+// What elasticity keeps for each group of the rotation front: two rotations, and what the last observing force
+// evaluation saw of it.
+//
+// `extracted` is the rotation of the group's mean deformation gradient, warm-started from tick to tick. Forces
+// use `used`, which goes to it over kBlendTicks whenever the front changes there, so that no force jumps.
 #pragma once
 
-#include "palpate/elastic/element_force.hpp"
+#include "palpate/elastic/rotation_extraction.hpp"
+#include "palpate/mesh/rotation_front.hpp"
 
 namespace palpate {
 
+/// Ticks from the parent's rotation to a new group's own, and back before two groups are joined.
+inline constexpr uint8_t kBlendTicks = 32;
+
+/// What part of the way that is left is gone in a tick, by the ticks left: together they are s(t) = 3 t^2 - 2 t^3 of
+/// the whole way, so that the rotation neither starts nor stops with a jerk, which would be felt as a kick.
+inline constexpr std::array<RotationEntry, kBlendTicks + 1> kBlendParts = [] {
+  constexpr int64_t kWhole = int64_t{kBlendTicks} * kBlendTicks * kBlendTicks;
+  const auto gone = [](int64_t ticks) { return 3 * ticks * ticks * kBlendTicks - 2 * ticks * ticks * ticks; };
+  std::array<RotationEntry, kBlendTicks + 1> parts{};
+  parts[0] = RotationEntry::ratio(1, 1);
+  for (int64_t left = 1; left <= kBlendTicks; ++left) {
+    const int64_t before = gone(kBlendTicks - left);
+    parts[static_cast<std::size_t>(left)] = RotationEntry::ratio(gone(kBlendTicks - left + 1) - before, kWhole - before);
+  }
+  return parts;
+}();
+
+/// How wrong it is to turn all leaves of a group alike, times the group's volume in roots; 0 .. 0.5, LSB 2^-32.
+using Misfit = Q<-1, 32>;
+
 template <class Profile>
 struct Groups {
-  static constexpr uint16_t kGroups = Profile::kGroups;
-
-  uint16_t count;
-  std::array<uint16_t, kGroups> tet;
-  std::array<Quaternion, kGroups> rotation;
-  std::array<RotationMatrix, kGroups> matrix;  // of `rotation`, what the force loop reads
+  std::array<Quaternion, Profile::kGroups> extracted;
+  std::array<Quaternion, Profile::kGroups> used;
+  std::array<uint8_t, Profile::kGroups> blend;  // ticks until `used` is what it goes to; 0: it is
+  std::array<DeformationGradient, Profile::kGroups> gradient;  // volume mean over the leaves
+  std::array<Misfit, Profile::kGroups> misfit;                 // see misfit.hpp
+  std::array<Misfit, Profile::kGroups> misfit_left;            // its part in the misfit of its parent
 };
 
-/// One group a leaf, unrotated. False when there are more leaves than groups.
+/// Unrotated and undeformed.
 template <class Profile>
-[[nodiscard]] bool group_every_leaf(Forest<Profile>& forest, Groups<Profile>& groups) {
-  groups.count = 0;
-  if (forest.leaf_count > Profile::kGroups) return false;
-  groups.count = forest.leaf_count;
-  for (const uint32_t i : bounded<Profile::kGroups>(forest.leaf_count, [] {})) {
-    forest.leaf[i].group = static_cast<uint16_t>(i);
-    groups.tet[i] = forest.leaf[i].tet;
-    groups.rotation[i] = Quaternion::identity();
-    groups.matrix[i] = rotation_matrix(Quaternion::identity());
-  }
-  return true;
-}
-
-/// One extraction step a group from the positions as they are. Strain clamps are counted by the force loop.
-template <class Profile>
-void update_rotations(const Forest<Profile>& forest, Groups<Profile>& groups) {
-  const auto& position = forest.node.position;
-  for (const uint32_t i : bounded<Profile::kGroups>(groups.count, [] {})) {
-    const Leaf& leaf = forest.leaf_of(groups.tet[i]);
-    const EdgeVectors edges =
-        edge_vectors(type_of_level(leaf.level), position[leaf.node[0]], position[leaf.node[1]],
-                     position[leaf.node[2]], position[leaf.node[3]]);
-    uint32_t clamped = 0;
-    const DeformationGradient f = deformation_gradient(edges, leaf.axes, leaf.level, clamped);
-    groups.rotation[i] = extract_rotation(f, groups.rotation[i]);
-    groups.matrix[i] = rotation_matrix(groups.rotation[i]);
+void start_groups(const RotationFront<Profile>& front, Groups<Profile>& groups) {
+  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
+    const uint16_t group = front.groups.live(i);
+    groups.extracted[group] = Quaternion::identity();
+    groups.used[group] = Quaternion::identity();
+    groups.blend[group] = 0;
+    groups.gradient[group] = unstretched();
+    groups.misfit[group] = Misfit::from_raw(0);
+    groups.misfit_left[group] = Misfit::from_raw(0);
   }
 }
 
-/// Overwrites every node's force with the corotated forces of all leaves at `at` (positions, or positions
-/// moved on by stiffness damping). Returns the number of leaves whose strain or stress was clamped. Integer
-/// sums: any order of leaves gives the same bits.
+/// After `group` was split: both halves start from its rotation and blend to their own.
 template <class Profile>
-uint32_t evaluate_forces(Forest<Profile>& forest, const Groups<Profile>& groups, const Materials& materials,
-                         const std::array<Vector3<Position>, Profile::kNodes>& at) {
-  auto& force = forest.node.force;
-  for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
-    force[forest.nodes.live(i)] = zero_vector<Force>();
+void inherit_rotation(Groups<Profile>& groups, uint16_t group, uint16_t added) {
+  groups.extracted[added] = groups.extracted[group];
+  groups.used[added] = groups.used[group];
+  groups.gradient[added] = groups.gradient[group];
+  groups.misfit[added] = groups.misfit[group];
+  groups.misfit_left[added] = groups.misfit_left[group];
+  groups.blend[group] = kBlendTicks;
+  groups.blend[added] = kBlendTicks;
+}
+
+/// The mean of two groups of equal volume.
+template <class Profile>
+DeformationGradient mean_gradient(const Groups<Profile>& groups, uint16_t a, uint16_t b) {
+  DeformationGradient mean;
+  for (const uint32_t i : bounded<9>(9, [] {})) {
+    const auto twice = widen<Stretch::kFractionBits>(groups.gradient[a].data()[i]) +
+                       widen<Stretch::kFractionBits>(groups.gradient[b].data()[i]);
+    mean.data()[i] = narrow<Stretch>(divide_by_power_of_two<1>(twice));
   }
-  uint32_t clamped_leaves = 0;
-  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    const Leaf& leaf = forest.leaf[i];
-    const TetType type = type_of_level(leaf.level);
-    const EdgeVectors edges =
-        edge_vectors(type, at[leaf.node[0]], at[leaf.node[1]], at[leaf.node[2]], at[leaf.node[3]]);
-    uint32_t clamped = 0;
-    const EdgeForces t = corotated_edge_forces(edges, leaf.axes, leaf.level, groups.matrix[leaf.group],
-                                               materials[leaf.region], clamped);
-    add_nodal_forces(type, t, force[leaf.node[0]], force[leaf.node[1]], force[leaf.node[2]],
-                     force[leaf.node[3]]);
-    clamped_leaves += clamped != 0 ? 1u : 0u;
+  return mean;
+}
+
+/// After `gone` was joined to `group`, which holds their parent's rotation already.
+template <class Profile>
+void take_over_rotation(Groups<Profile>& groups, uint16_t group, uint16_t gone) {
+  groups.gradient[group] = mean_gradient(groups, group, gone);
+  groups.blend[group] = kBlendTicks;
+}
+
+/// One extraction step a group, then one blending step. Of two groups about to be joined the first holds their
+/// parent's rotation, and both go to it. At most two ticks' worth of extraction: 130 multiplies a group.
+template <class Profile>
+void update_rotations(const RotationFront<Profile>& front, Groups<Profile>& groups) {
+  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
+    const uint16_t group = front.groups.live(i);
+    const uint16_t partner = front.partner[group];
+    if (partner != kNone && is_second_of_pair(front, group)) continue;
+    const DeformationGradient f =
+        partner == kNone ? groups.gradient[group] : mean_gradient(groups, group, partner);
+    groups.extracted[group] = extract_rotation(f, groups.extracted[group]);
   }
-  return clamped_leaves;
+  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
+    const uint16_t group = front.groups.live(i);
+    const bool follows = front.partner[group] != kNone && is_second_of_pair(front, group);
+    const Quaternion& goal = groups.extracted[follows ? front.partner[group] : group];
+    groups.used[group] = between(groups.used[group], goal, kBlendParts[groups.blend[group]]);
+    if (groups.blend[group] > 0) --groups.blend[group];
+  }
 }
 
 }  // namespace palpate

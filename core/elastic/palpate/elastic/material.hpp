@@ -8,9 +8,9 @@
 namespace palpate {
 
 /// mu / (6 E_ref), E <= E_ref: 0 .. 1/12.
-using ShearCoefficient = Q<-3, 34>;
-/// lambda / (12 E_ref): 0 .. 2.77 at nu = 0.495.
-using BulkCoefficient = Q<2, 29>;
+using ShearCoefficient = Q<0, 31>;
+/// lambda / (6 E_ref): 0 .. 5.55 at nu = 0.495.
+using BulkCoefficient = Q<3, 28>;
 
 struct Material {
   ShearCoefficient shear;

@@ -9,21 +9,16 @@
 // flat or inverted in two ways at once) the step is a gradient step, which always climbs and stays finite.
 #pragma once
 
-#include "palpate/elastic/deformation_gradient.hpp"
+#include "palpate/mesh/deformation_gradient.hpp"
 #include "palpate/numeric/rotation.hpp"
 
 namespace palpate {
 
-/// Entries of R^T F: +-128, LSB 2^-24. |F| <= kStretchLimit keeps them within 14.
-using Strain = Q<7, 24>;
+/// Entries of R^T F while a rotation is extracted: +-128, LSB 2^-24.
+using Corotated = Q<7, 24>;
 
 /// One step from `warm`, at most kStepLimit a component: about 0.01 deg of error after a step of 5 deg, 1e-4
-/// deg after 1 deg. Cost: about 130 multiplies, no division, no loop.
+/// deg after 1 deg. Columns of F may have norms up to 14. Cost: about 130 multiplies, no division, no loop.
 [[nodiscard]] Quaternion extract_rotation(const DeformationGradient& f, const Quaternion& warm);
-
-/// R^T F in strain format, 27 multiplies.
-inline Matrix3<Strain> corotated_gradient(const RotationMatrix& r, const DeformationGradient& f) {
-  return narrow<Strain>(r.transpose() * f);
-}
 
 }  // namespace palpate

@@ -25,10 +25,16 @@ struct Leaf {
   std::array<uint16_t, 4> neighbour;  // the leaf tet across the face opposite w_i, or kNone on the surface
   uint16_t tet;
   uint16_t group;  // whose rotation it uses
+  uint16_t path;   // from its root: a bit a level, which child, the last one lowest
   Axes axes;
   uint8_t level;
   uint8_t region;
 };
+
+/// Which child of its ancestor at `level`, above its own, a leaf lies in.
+inline uint32_t child_towards(const Leaf& leaf, uint8_t level) {
+  return (static_cast<uint32_t>(leaf.path) >> (leaf.level - level - 1)) & 1u;
+}
 
 /// What a patch operation could not do. Nothing has changed then.
 enum class MeshStatus : uint8_t {

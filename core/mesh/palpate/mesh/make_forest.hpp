@@ -51,6 +51,7 @@ MeshStatus add_root(Forest<Profile>& forest, const Block& block, CornerNodes& co
   Leaf leaf{};
   leaf.tet = tet;
   leaf.group = kNone;
+  leaf.path = 0;
   leaf.level = 0;
   leaf.region = region;
   leaf.axes = Axes::of(kKuhnAxes[which][0], kKuhnAxes[which][1], kKuhnAxes[which][2]);

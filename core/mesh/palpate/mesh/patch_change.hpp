@@ -45,6 +45,7 @@ void split_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   leaf0.node[end] = middle;
   leaf0.neighbour[0] = child1;
   leaf0.tet = child0;
+  leaf0.path = static_cast<uint16_t>(2u * old.path);
   leaf0.level = level;
 
   Leaf& leaf1 = forest.leaf[slot1];
@@ -57,6 +58,7 @@ void split_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   leaf1.neighbour[end] = old.neighbour[0];
   leaf1.neighbour[end - 1] = child0;
   leaf1.tet = child1;
+  leaf1.path = static_cast<uint16_t>(2u * old.path + 1u);
   leaf1.level = level;
   leaf1.axes = old.axes.of_second_child(type);
 
@@ -102,6 +104,7 @@ void join_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
 
   Leaf& whole = forest.leaf[slot0];
   whole.tet = parent;
+  whole.path = static_cast<uint16_t>(leaf0.path >> 1);
   whole.level = level;
   whole.node[end] = leaf1.node[end - 1];
   whole.neighbour[0] = leaf1.neighbour[end];

@@ -72,4 +72,41 @@ constexpr BoundedRange<Max, Place> bounded(uint32_t count, Place) {
   return BoundedRange<Max, Place>(count);
 }
 
+/// What nested loops may do together: all loops over ranges taken from one BoundedTotal run at most Max times in
+/// all, as leaves of groups do whatever group they are in. Its flow fact is entered where the total is made.
+template <uint32_t Max, class Place>
+class BoundedTotal {
+ public:
+  class Range {
+   public:
+    using Iterator = typename BoundedRange<Max, Place>::Iterator;
+    constexpr Range(uint32_t first, uint32_t count) : first_(first), end_(first + count) {}
+    [[nodiscard]] constexpr Iterator begin() const { return Iterator(first_); }
+    [[nodiscard]] constexpr Iterator end() const { return Iterator(end_); }
+
+   private:
+    uint32_t first_, end_;
+  };
+
+  PALPATE_ALWAYS_INLINE explicit BoundedTotal(Place) : left_(Max) {
+    leave_flow_fact<FlowFact::kEnter, Place, Max>();
+  }
+  /// first .. first + count - 1, cut where the total ends.
+  [[nodiscard]] constexpr Range take(uint32_t first, uint32_t count) {
+    check(count <= left_, "nested loops were asked for more than their total");
+    const uint32_t granted = count < left_ ? count : left_;
+    left_ -= granted;
+    return Range(first, granted);
+  }
+  [[nodiscard]] constexpr uint32_t left() const { return left_; }
+
+ private:
+  uint32_t left_;
+};
+
+template <uint32_t Max, class Place>
+PALPATE_ALWAYS_INLINE BoundedTotal<Max, Place> bounded_total(Place place) {
+  return BoundedTotal<Max, Place>(place);
+}
+
 }  // namespace palpate

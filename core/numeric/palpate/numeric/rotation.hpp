@@ -20,4 +20,15 @@ struct Quaternion {
 /// R of a unit quaternion, columns = images of the axes. Error: 1 LSB a entry beyond the quaternion's own.
 RotationMatrix rotation_matrix(const Quaternion& q);
 
+/// q / |q| for |q|^2 in [0.5, 2). Error: 2 LSB. Cost: one reciprocal root and 9 multiplies.
+Quaternion normalised(const Quaternion& q);
+
+/// `fraction` (0 .. 1) of the way from one rotation to another, the short way: from + fraction (to - from),
+/// normalised. With 1 it is `to` (or -to, the same rotation) exactly.
+Quaternion between(const Quaternion& from, const Quaternion& to, RotationEntry fraction);
+
+/// 4 (1 - cos theta) of two rotations an angle theta apart, which is |R_a - R_b|_F^2 (Tagawa et al., Eq. 3):
+/// 8 |v|^2 with v the vector part of conj(a) b. Error: 4 LSB of 2^-27.
+Q<4, 27> square_of_difference(const Quaternion& a, const Quaternion& b);
+
 }  // namespace palpate

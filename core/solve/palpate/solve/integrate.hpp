@@ -43,15 +43,21 @@ inline NodeControl control_of(LatticePoint rest, const HeldRegions& held) {
   return NodeControl::kFree;
 }
 
-/// Control, impulse and force position of every live node. At boot.
+/// Control, impulse and force position of a node that is new.
+template <class Profile>
+void start_node(const Forest<Profile>& forest, const Dynamics& dynamics, const HeldRegions& held,
+                uint16_t node, SolveState<Profile>& solve) {
+  solve.control[node] = control_of(forest.node.rest[node], held);
+  solve.impulse[node] = impulse_of(dynamics, forest.node.mass[node]);
+  solve.force_position[node] = forest.node.position[node];
+}
+
+/// Of every live node. At boot.
 template <class Profile>
 void start_solve(const Forest<Profile>& forest, const Dynamics& dynamics, const HeldRegions& held,
                  SolveState<Profile>& solve) {
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
-    const uint16_t node = forest.nodes.live(i);
-    solve.control[node] = control_of(forest.node.rest[node], held);
-    solve.impulse[node] = impulse_of(dynamics, forest.node.mass[node]);
-    solve.force_position[node] = forest.node.position[node];
+    start_node(forest, dynamics, held, forest.nodes.live(i), solve);
   }
 }
 
@@ -138,13 +144,14 @@ void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, const 
   }
 }
 
-/// All substeps of a tick. `forces(at)` must fill the nodes' forces for nodes at `at`; `integrate(remaining)`
-/// runs one substep. Both are the caller's so that each can be a stage of its own.
+/// All substeps of a tick. `forces(remaining)` must fill the nodes' forces at SolveState::force_position,
+/// `integrate(remaining)` runs one substep. Both are the caller's so that each can be a stage of its own.
 template <class Forces, class Integrate>
 PALPATE_ALWAYS_INLINE void advance(const Dynamics& dynamics, Forces&& forces, Integrate&& integrate) {
   for (const uint32_t substep : bounded<kMaxSubsteps>(dynamics.substeps, [] {})) {
-    forces();
-    integrate(dynamics.substeps - substep);
+    const uint32_t remaining = dynamics.substeps - substep;
+    forces(remaining);
+    integrate(remaining);
   }
 }
 

@@ -29,6 +29,30 @@ void add_mesh(const Forest<Profile>& forest, StateHash& hash) {
   }
 }
 
+/// The rotation front, what its groups wait for, and the tethers.
+template <class Profile>
+void add_front(const State<Profile>& state, StateHash& hash) {
+  const RotationFront<Profile>& front = state.front;
+  hash.add(uint32_t{front.groups.used()});
+  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
+    const uint16_t group = front.groups.live(i);
+    hash.add(front.tet[group] | uint32_t{front.partner[group]} << 16);
+    hash.add(uint32_t{state.groups.blend[group]});
+  }
+  hash.add(uint32_t{state.tethers.count});
+  for (const uint32_t i : bounded<Profile::kTethers>(state.tethers.count, [] {})) {
+    const Tether& tether = state.tethers.tether[i];
+    hash.add(tether.node | uint32_t{tether.ticks_left} << 16 | static_cast<uint32_t>(tether.kind) << 24);
+  }
+}
+
+inline void add_rotation(const Quaternion& q, StateHash& hash) {
+  hash.add(q.w);
+  hash.add(q.x);
+  hash.add(q.y);
+  hash.add(q.z);
+}
+
 }  // namespace hash_detail
 
 template <class Profile>
@@ -39,14 +63,16 @@ void add_stage(const State<Profile>& state, const TickOutput& output, CoreStage 
       hash.add(state.grasp.offset);
       hash.add(state.driven.target);
       break;
-    case CoreStage::kRotations:
+    case CoreStage::kRemesh:
       hash_detail::add_mesh(state.forest, hash);
-      for (const uint32_t i : bounded<Profile::kGroups>(state.groups.count, [] {})) {
-        const Quaternion& q = state.groups.rotation[i];
-        hash.add(q.w);
-        hash.add(q.x);
-        hash.add(q.y);
-        hash.add(q.z);
+      hash_detail::add_front(state, hash);
+      hash.add(state.waiting);
+      break;
+    case CoreStage::kRotations:
+      for (const uint32_t i : bounded<Profile::kGroups>(state.front.groups.used(), [] {})) {
+        const uint16_t group = state.front.groups.live(i);
+        hash_detail::add_rotation(state.groups.extracted[group], hash);
+        hash_detail::add_rotation(state.groups.used[group], hash);
       }
       break;
     case CoreStage::kForces:

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "palpate/elastic/material.hpp"
+#include "palpate/remesh/rules.hpp"
 #include "palpate/solve/integrate.hpp"
 
 namespace palpate {
@@ -14,6 +15,7 @@ struct Model {
   Materials materials;
   std::array<uint16_t, kRegions> region_density;  // in 1/kDensityOne of the largest
   Dynamics dynamics;
+  RemeshRules remesh;
   HeldRegions held;      // both empty: a free body
   Position grasp_reach;  // 0 .. 4 edges
 };

@@ -1,4 +1,10 @@
-// Profiles: all capacities of one build, fixed at compile time. Thresholds and physics are the Model's.
+// Profiles: all capacities and budgets of one build, fixed at compile time. Thresholds and physics are the Model's.
+//
+//   kLeaves, kNodes, kGroups   what the pools hold
+//   kMaxLevel                  of any leaf
+//   kPatches                   bisected, and merged, a tick; kTetsSplit and kTetsMerged tets in them
+//   kRotationChanges           groups split or begun to be joined a tick
+//   kTethers                   nodes that are being released or drawn at a time
 #pragma once
 
 #include "palpate/numeric/platform.hpp"
@@ -10,8 +16,13 @@ struct CuboidPaper {
   static constexpr const char* kName = "cuboid-paper";
   static constexpr uint16_t kLeaves = 1152;
   static constexpr uint16_t kNodes = 512;
-  static constexpr uint16_t kGroups = kLeaves;  // full corotation: a rotation a leaf
+  static constexpr uint16_t kGroups = 48;
   static constexpr uint8_t kMaxLevel = 6;
+  static constexpr uint32_t kPatches = 1;
+  static constexpr uint32_t kTetsSplit = 8;
+  static constexpr uint32_t kTetsMerged = 8;
+  static constexpr uint32_t kRotationChanges = 8;
+  static constexpr uint16_t kTethers = 32;
 };
 
 /// The same bar as heavy as tissue, with room for finer levels where it is touched.
@@ -19,16 +30,26 @@ struct CuboidDense {
   static constexpr const char* kName = "cuboid-dense";
   static constexpr uint16_t kLeaves = 1152;
   static constexpr uint16_t kNodes = 512;
-  static constexpr uint16_t kGroups = kLeaves;
+  static constexpr uint16_t kGroups = 300;
   static constexpr uint8_t kMaxLevel = 9;
+  static constexpr uint32_t kPatches = 4;
+  static constexpr uint32_t kTetsSplit = 16;
+  static constexpr uint32_t kTetsMerged = 16;
+  static constexpr uint32_t kRotationChanges = 32;
+  static constexpr uint16_t kTethers = 64;
 };
 
 struct Organ {
   static constexpr const char* kName = "organ";
   static constexpr uint16_t kLeaves = 768;
   static constexpr uint16_t kNodes = 512;
-  static constexpr uint16_t kGroups = kLeaves;
+  static constexpr uint16_t kGroups = 200;
   static constexpr uint8_t kMaxLevel = 9;
+  static constexpr uint32_t kPatches = 2;
+  static constexpr uint32_t kTetsSplit = 16;
+  static constexpr uint32_t kTetsMerged = 16;
+  static constexpr uint32_t kRotationChanges = 16;
+  static constexpr uint16_t kTethers = 64;
 };
 
 /// For a Cortex-M4.
@@ -36,17 +57,27 @@ struct Small {
   static constexpr const char* kName = "small";
   static constexpr uint16_t kLeaves = 288;
   static constexpr uint16_t kNodes = 160;
-  static constexpr uint16_t kGroups = kLeaves;
+  static constexpr uint16_t kGroups = 48;
   static constexpr uint8_t kMaxLevel = 6;
+  static constexpr uint32_t kPatches = 1;
+  static constexpr uint32_t kTetsSplit = 8;
+  static constexpr uint32_t kTetsMerged = 8;
+  static constexpr uint32_t kRotationChanges = 8;
+  static constexpr uint16_t kTethers = 16;
 };
 
-/// Host only: deep or large meshes for studies and tests.
+/// Host only: deep or large meshes, and full corotation, for studies and tests.
 struct Workstation {
   static constexpr const char* kName = "workstation";
   static constexpr uint16_t kLeaves = 12000;
   static constexpr uint16_t kNodes = 4000;
   static constexpr uint16_t kGroups = kLeaves;
   static constexpr uint8_t kMaxLevel = 14;
+  static constexpr uint32_t kPatches = 16;
+  static constexpr uint32_t kTetsSplit = 128;
+  static constexpr uint32_t kTetsMerged = 128;
+  static constexpr uint32_t kRotationChanges = 256;
+  static constexpr uint16_t kTethers = 1000;
 };
 
 }  // namespace palpate

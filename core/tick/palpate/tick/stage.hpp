@@ -6,13 +6,15 @@
 
 namespace palpate {
 
-enum class CoreStage : uint8_t { kTouch, kRotations, kForces, kIntegrate, kReaction };
-inline constexpr uint32_t kCoreStages = 5;
+enum class CoreStage : uint8_t { kTouch, kRemesh, kRotations, kForces, kIntegrate, kReaction };
+inline constexpr uint32_t kCoreStages = 6;
 
 constexpr const char* stage_name(CoreStage stage) {
   switch (stage) {
     case CoreStage::kTouch:
       return "touch";
+    case CoreStage::kRemesh:
+      return "remesh";
     case CoreStage::kRotations:
       return "rotations";
     case CoreStage::kForces:

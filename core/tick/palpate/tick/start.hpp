@@ -17,7 +17,14 @@ Status start(State<Profile>& state, const Model& model) {
   if (mesh == MeshStatus::kDone) mesh = refine_uniformly(state.forest, model.level);
   if (mesh == MeshStatus::kNodesFull) return Status::kTooManyNodes;
   if (mesh != MeshStatus::kDone) return Status::kTooManyLeaves;
-  if (!group_every_leaf(state.forest, state.groups)) return Status::kTooManyGroups;
+  const RotationRules& rotation = model.remesh.rotation;
+  const uint8_t level = rotation.criterion == RotationCriterion::kFull ? kDeepestLevel : rotation.start_level;
+  if (!make_groups(state.forest, state.front, level)) return Status::kTooManyGroups;
+  start_groups(state.front, state.groups);
+  state.urgencies.clear();
+  state.tethers.clear();
+  state.remesh = RemeshCounters{};
+  state.waiting = 0;
   start_solve(state.forest, model.dynamics, model.held, state.solve);
   return Status::kDone;
 }

@@ -2,8 +2,10 @@
 // heap.
 #pragma once
 
-#include "palpate/elastic/groups.hpp"
+#include "palpate/elastic/group_forces.hpp"
 #include "palpate/mesh/make_forest.hpp"
+#include "palpate/remesh/urgency.hpp"
+#include "palpate/solve/tether_force.hpp"
 #include "palpate/tick/model.hpp"
 #include "palpate/touch/grasp.hpp"
 
@@ -15,6 +17,13 @@ enum class TickFlag : uint32_t {
   kPositionClamped = 1u << 1,
   kStrainClamped = 1u << 2,
   kGrasping = 1u << 3,
+  // A change of the mesh or of the rotation front had to wait: what to raise.
+  kPatchBudget = 1u << 4,
+  kRotationBudget = 1u << 5,
+  kLeavesFull = 1u << 6,
+  kNodesFull = 1u << 7,
+  kGroupsFull = 1u << 8,
+  kTethersFull = 1u << 9,
 };
 
 struct TickInput {
@@ -32,7 +41,13 @@ template <class Profile>
 struct State {
   Model model;
   Forest<Profile> forest;
+  RotationFront<Profile> front;
   Groups<Profile> groups;
+  GroupFrame<Profile> frame;  // scratch
+  Urgencies<Profile> urgencies;
+  Tethers<Profile> tethers;
+  RemeshCounters remesh;
+  uint32_t waiting;  // RemeshFlag bits of this tick
   SolveState<Profile> solve;
   Grasp grasp;
   DrivenNode driven;

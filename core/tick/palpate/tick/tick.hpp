@@ -1,17 +1,19 @@
 // One tick: 1 ms of soft tissue.
 //
 //   touch      grasp the nearest node, or let go; the held node's target follows the tool
-//   rotations  one extraction step a group, from the positions as they are
-//   forces     corotated forces of all leaves        } once a
-//   integrate  one step of symplectic Euler          } substep
+//   remesh     changes of the rotation front and of the mesh, within the profile's budgets
+//   rotations  one extraction step a group, and one blending step
+//   forces     corotated forces of all leaves; the last evaluation    } once a
+//              also sees what the next remesh and rotations need      } substep
+//   integrate  tethers, then one step of symplectic Euler             }
 //   reaction   what the tissue does to the tool: the force on the driven node in the last substep
 //
 // A probe sees enter and leave of every stage; it may read a clock, and nothing it sees enters the state.
 // The same state and input give the same bits on every machine.
 #pragma once
 
+#include "palpate/tick/remesh_stage.hpp"
 #include "palpate/tick/stage.hpp"
-#include "palpate/tick/state.hpp"
 
 namespace palpate {
 namespace tick_stages {
@@ -27,20 +29,35 @@ PALPATE_NOINLINE void touch(State<Profile>& state, const TickInput& input) {
 }
 
 template <class Profile>
-PALPATE_NOINLINE void rotations(State<Profile>& state) {
-  update_rotations(state.forest, state.groups);
+PALPATE_NOINLINE void remesh(State<Profile>& state) {
+  change_fronts(state);
 }
 
 template <class Profile>
+PALPATE_NOINLINE void rotations(State<Profile>& state) {
+  update_rotations(state.front, state.groups);
+}
+
+template <Observe kObserve, class Profile>
 PALPATE_NOINLINE void forces(State<Profile>& state) {
-  state.clamps.strain +=
-      evaluate_forces(state.forest, state.groups, state.model.materials, state.solve.force_position);
+  GroupForces<Profile> forces(state.forest, state.front, state.groups, state.model.materials, state.frame);
+  state.clamps.strain += forces.template evaluate<kObserve>(state.solve.force_position);
 }
 
 template <class Profile>
 PALPATE_NOINLINE void integrate(State<Profile>& state, const TickInput& input, uint32_t remaining) {
-  integrate_substep(state.forest, state.model.dynamics, input.hold_motion, state.driven, remaining,
-                    state.solve, state.clamps);
+  const Dynamics& dynamics = state.model.dynamics;
+  add_tether_forces(state.forest, state.solve, state.tethers, dynamics.substeps, remaining, state.driven.node);
+  integrate_substep(state.forest, dynamics, input.hold_motion, state.driven, remaining, state.solve,
+                    state.clamps);
+}
+
+/// The flag of a tick for a reason why the fronts had to wait.
+inline uint32_t waiting_flags(uint32_t waiting) {
+  constexpr uint32_t kFirst = static_cast<uint32_t>(TickFlag::kPatchBudget);
+  static_assert(kFirst * static_cast<uint32_t>(RemeshFlag::kTethers) == static_cast<uint32_t>(TickFlag::kTethersFull),
+                "palpate: the flags of remesh stand side by side in those of the tick");
+  return waiting * kFirst;
 }
 
 template <class Profile>
@@ -50,7 +67,7 @@ PALPATE_NOINLINE void reaction(const State<Profile>& state, const ClampCounters&
   const auto flag = [&output](bool set, TickFlag which) {
     output.flags |= set ? static_cast<uint32_t>(which) : 0u;
   };
-  output.flags = 0;
+  output.flags = waiting_flags(state.waiting);
   flag(state.clamps.speed != before.speed, TickFlag::kSpeedClamped);
   flag(state.clamps.position != before.position, TickFlag::kPositionClamped);
   flag(state.clamps.strain != before.strain, TickFlag::kStrainClamped);
@@ -68,9 +85,19 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
     probe.leave(which);
   };
   stage(CoreStage::kTouch, [&] { tick_stages::touch(state, input); });
+  stage(CoreStage::kRemesh, [&] { tick_stages::remesh(state); });
   stage(CoreStage::kRotations, [&] { tick_stages::rotations(state); });
   advance(
-      state.model.dynamics, [&] { stage(CoreStage::kForces, [&] { tick_stages::forces(state); }); },
+      state.model.dynamics,
+      [&](uint32_t remaining) {
+        stage(CoreStage::kForces, [&] {
+          if (remaining == 1) {
+            tick_stages::forces<Observe::kYes>(state);
+          } else {
+            tick_stages::forces<Observe::kNo>(state);
+          }
+        });
+      },
       [&](uint32_t remaining) {
         stage(CoreStage::kIntegrate, [&] { tick_stages::integrate(state, input, remaining); });
       });

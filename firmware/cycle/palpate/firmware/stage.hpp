@@ -5,8 +5,8 @@
 
 namespace palpate::firmware {
 
-enum class Stage : uint8_t { kKinematics, kTouch, kRotations, kForces, kIntegrate, kReaction, kMotorCodes };
-inline constexpr uint32_t kStageCount = 7;
+enum class Stage : uint8_t { kKinematics, kTouch, kRemesh, kRotations, kForces, kIntegrate, kReaction, kMotorCodes };
+inline constexpr uint32_t kStageCount = 8;
 static_assert(kStageCount == kCoreStages + 2, "palpate: every core stage has its place among all stages");
 
 constexpr Stage stage_of(CoreStage stage) {

@@ -1,0 +1,56 @@
+// A conforming rotation front: all tets around one refinement edge are on it together or not at all, as in a
+// patch of the mesh (patch.hpp). The tets of such a patch may be internal; they are found from the leaves
+// around a piece of their edge.
+#pragma once
+
+#include "palpate/mesh/patch.hpp"
+#include "palpate/mesh/rotation_front.hpp"
+
+namespace palpate {
+
+struct FrontPatch {
+  std::array<uint16_t, kMaxPatch> tet;
+  uint32_t count;
+  uint16_t blocker;  // with kNotReady: the group whose coarser tet must be split first
+};
+
+namespace front_patch_detail {
+
+inline void add_once(FrontPatch& patch, uint16_t tet) {
+  for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+    if (patch.tet[i] == tet) return;
+  }
+  check(patch.count < kMaxPatch, "a front patch has more than kMaxPatch tets");
+  patch.tet[patch.count] = tet;
+  ++patch.count;
+}
+
+}  // namespace front_patch_detail
+
+/// The tets at the level of `tet`, an internal one, around its refinement edge. kNotReady when one of them lies
+/// below a coarser tet of the front. O(8 x levels).
+template <class Profile>
+[[nodiscard]] MeshStatus find_front_patch(const Forest<Profile>& forest, const RotationFront<Profile>& front,
+                                          uint16_t tet, FrontPatch& patch) {
+  const uint8_t level = forest.tet[tet].level;
+  patch.count = 0;
+  patch.blocker = kNone;
+  // First children keep vertex 0, and the edge's middle takes the place of its end in the first of them: further
+  // bisections halve the piece between these two places or leave it as it is.
+  Patch around{};
+  const uint16_t start = first_leaf(forest, tet);
+  const MeshStatus walk = walk_around_edge(forest, start, refinement_end(type_of_level(level)), around,
+                                           [](const Leaf&) { return true; });
+  check(walk == MeshStatus::kDone, "the walk around a piece of an edge did not close");
+  for (const uint32_t i : bounded<kMaxPatch>(around.count, [] {})) {
+    const uint16_t group = forest.leaf_of(around.tet[i]).group;
+    if (forest.tet[front.tet[group]].level < level) {
+      patch.blocker = group;
+      return MeshStatus::kNotReady;
+    }
+    front_patch_detail::add_once(patch, ancestor_at(forest, around.tet[i], level));
+  }
+  return walk;
+}
+
+}  // namespace palpate

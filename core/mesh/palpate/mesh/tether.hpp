@@ -1,0 +1,54 @@
+// Tethers: what keeps a change of the mesh from being felt. A new node starts at the midpoint of its edge and
+// moves with it; its tether lets go over kTetherTicks. Before a node is merged, a tether draws it to the midpoint
+// over as many ticks. solve/tether_force.hpp makes the forces; here is the list.
+#pragma once
+
+#include "palpate/mesh/forest.hpp"
+
+namespace palpate {
+
+/// Ticks to release a new node, and to draw an old one.
+inline constexpr uint8_t kTetherTicks = 32;
+
+enum class TetherKind : uint8_t { kRelease, kDraw };
+
+struct Tether {
+  uint16_t node;
+  std::array<uint16_t, 2> end;  // of the edge whose midpoint the node is or was
+  uint16_t tet;                 // one that the edge's bisection split
+  uint8_t ticks_left;
+  TetherKind kind;
+};
+
+template <class Profile>
+struct Tethers {
+  static constexpr uint16_t kTethers = Profile::kTethers;
+  static constexpr uint32_t kNobody = kTethers;
+
+  uint16_t count;
+  uint16_t peak;
+  std::array<Tether, kTethers> tether;
+
+  void clear() { count = peak = 0; }
+  [[nodiscard]] bool is_full() const { return count == kTethers; }
+  /// Place of the tether of `node`, or kNobody. O(tethers).
+  [[nodiscard]] uint32_t find(uint16_t node) const {
+    uint32_t found = kNobody;
+    for (const uint32_t i : bounded<kTethers>(count, [] {})) found = tether[i].node == node ? i : found;
+    return found;
+  }
+  /// The list must not be full.
+  void add(const Tether& added) {
+    check(!is_full(), "one tether too many");
+    tether[count] = added;
+    ++count;
+    peak = count > peak ? count : peak;
+  }
+  /// The last one moves into the gap.
+  void remove(uint32_t at) {
+    --count;
+    tether[at] = tether[count];
+  }
+};
+
+}  // namespace palpate

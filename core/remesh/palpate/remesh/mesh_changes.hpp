@@ -1,0 +1,222 @@
+// Changes of the simulation front in one tick. Every leaf has an urgency, renewed in slices: how much it wants to be
+// split. The most urgent leaves are split, each with its whole patch, coarser patches first; a leaf that has to wait
+// keeps its urgency, which grows with every renewal, so none starves. Calm patches are merged, after their middle
+// node was drawn to where its removal changes nothing.
+//
+// `Body` is what the solver knows and does; a struct with
+//   bool is_free(node)                                       nothing else moves it
+//   void added(node, ends)                                   after a split
+//   void before_removal(node, ends), void removed(ends)      around a merge
+#pragma once
+
+#include "palpate/mesh/rotation_front.hpp"
+#include "palpate/mesh/tether.hpp"
+#include "palpate/remesh/urgency.hpp"
+
+namespace palpate {
+
+template <class Profile, class Body>
+class MeshChanges {
+ public:
+  /// `pinned`: a node whose leaves go to their finest level and are never merged, or kNone.
+  MeshChanges(Forest<Profile>& forest, const RotationFront<Profile>& front, Tethers<Profile>& tethers,
+              Urgencies<Profile>& urgencies, const StretchRules& rules, uint16_t pinned, Body& body,
+              RemeshCounters& counters)
+      : forest_(forest),
+        front_(front),
+        tethers_(tethers),
+        urgencies_(urgencies),
+        rules_(rules),
+        pinned_(pinned),
+        body_(body),
+        counters_(counters) {}
+
+  /// Returns RemeshFlag bits; `changed` says whether the lists of the front need index_groups.
+  uint32_t run(bool& changed) {
+    if (rules_.criterion == StretchCriterion::kFixed) return 0;
+    advance_tethers();
+    renew_urgencies(forest_, rules_, pinned_, urgencies_);
+    split_most_urgent();
+    draw_calm();
+    changed = changed || changed_;
+    return flags_;
+  }
+
+ private:
+  using Urgency = Urgencies<Profile>;
+  using Ends = std::array<uint16_t, 2>;
+
+  void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }
+
+  static Ends edge_of(const Leaf& leaf) {
+    return Ends{leaf.node[0], leaf.node[refinement_end(type_of_level(leaf.level))]};
+  }
+  /// The node whose removal a merge of this leaf's parent would be.
+  static uint16_t middle_of(const Leaf& leaf) {
+    return leaf.node[refinement_end(type_of_level(static_cast<uint8_t>(leaf.level - 1)))];
+  }
+
+  void split_most_urgent() {
+    MostUrgent<Profile> wanted;
+    uint32_t waiting = find_most_urgent(forest_, urgencies_, wanted);
+    uint32_t tets_left = Profile::kTetsSplit;
+    for (const uint32_t i : bounded<Profile::kPatches>(wanted.count, [] {})) {
+      const uint16_t tet = wanted.tet[i];
+      if (!forest_.tet[tet].is_leaf) continue;  // split by an earlier patch
+      urgencies_.split_at = static_cast<uint16_t>(forest_.tet[tet].link + 1);
+      if (!split_towards(tet, tets_left)) break;
+      if (!forest_.tet[tet].is_leaf) --waiting;
+    }
+    counters_.leaves_waiting = static_cast<uint16_t>(waiting);
+    if (waiting > 0 && flags_ == 0) flag(RemeshFlag::kPatchBudget);
+  }
+
+  /// Splits the patch of a leaf, or the coarser one in its way. False when nothing more can be split now.
+  bool split_towards(uint16_t tet, uint32_t& tets_left) {
+    Patch patch{};
+    const MeshStatus found = find_ready_patch(forest_, tet, patch);
+    if (found != MeshStatus::kDone) return true;
+    const Ends ends = edge_of(forest_.leaf_of(patch.tet[0]));
+    const bool tethered =
+        tethers_.find(ends[0]) != Tethers<Profile>::kNobody || tethers_.find(ends[1]) != Tethers<Profile>::kNobody;
+    if (tethered) return true;  // no edge is split at a slaved node
+    if (patch.count > tets_left) return false;
+    if (tethers_.is_full()) return refuse(RemeshFlag::kTethers);
+    switch (bisect(forest_, patch)) {
+      case MeshStatus::kDone:
+        break;
+      case MeshStatus::kNodesFull:
+        return refuse(RemeshFlag::kNodes);
+      default:
+        return refuse(RemeshFlag::kLeaves);
+    }
+    tets_left -= patch.count;
+    after_split(patch, ends);
+    return true;
+  }
+
+  bool refuse(RemeshFlag which) {
+    flag(which);
+    return false;
+  }
+
+  void after_split(const Patch& patch, const Ends& ends) {
+    for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      urgencies_.of[forest_.child(patch.tet[i], 0)] = Urgency::kNeutral;
+      urgencies_.of[forest_.child(patch.tet[i], 1)] = Urgency::kNeutral;
+    }
+    const uint16_t middle = middle_of(forest_.leaf_of(forest_.child(patch.tet[0], 0)));
+    body_.added(middle, ends);
+    if (body_.is_free(middle)) tethers_.add(Tether{middle, ends, patch.tet[0], kTetherTicks, TetherKind::kRelease});
+    counters_.bisected += patch.count;
+    changed_ = true;
+  }
+
+  void advance_tethers() {
+    uint32_t tets_left = Profile::kTetsMerged;
+    uint32_t patches_left = Profile::kPatches;
+    uint32_t at = 0;
+    for ([[maybe_unused]] const uint32_t i : bounded<Profile::kTethers>(tethers_.count, [] {})) {
+      Tether& tether = tethers_.tether[at];
+      if (tether.ticks_left > 1) {
+        --tether.ticks_left;
+        ++at;
+      } else if (tether.kind == TetherKind::kRelease) {
+        tethers_.remove(at);
+      } else if (patches_left > 0 && merge_at(tether, tets_left)) {
+        --patches_left;
+        tethers_.remove(at);
+      } else {
+        ++at;  // it holds the node where it is, or now lets go of it
+      }
+    }
+  }
+
+  /// Merges around a node that has been drawn. False, with the tether turned into a release, when the patch is no
+  /// longer calm; false and as it was when the budget is used up.
+  bool merge_at(Tether& tether, uint32_t& tets_left) {
+    Patch patch{};
+    if (!find_patch_around(tether, patch) || !may_merge(patch, Urgency::kNeutral)) {
+      tether.kind = TetherKind::kRelease;
+      tether.ticks_left = kTetherTicks;
+      return false;
+    }
+    if (patch.count > tets_left) return false;
+    tets_left -= patch.count;
+    for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      urgencies_.of[patch.tet[i]] = Urgency::kNeutral;
+    }
+    body_.before_removal(tether.node, tether.end);
+    merge(forest_, patch);
+    body_.removed(tether.end);
+    counters_.merged += patch.count;
+    changed_ = true;
+    return true;
+  }
+
+  /// The parents around a tethered node; false when one of their children was split.
+  [[nodiscard]] bool find_patch_around(const Tether& tether, Patch& patch) const {
+    if (!forest_.pairs.is_live(static_cast<uint16_t>(tether.tet >> 1)) || forest_.tet[tether.tet].is_leaf) return false;
+    const uint16_t child = forest_.child(tether.tet, 0);
+    if (!forest_.tet[child].is_leaf || middle_of(forest_.leaf_of(child)) != tether.node) return false;
+    return find_merge(forest_, child, patch) == MeshStatus::kDone;
+  }
+
+  /// Whether no child of these parents is more urgent than that, holds the pinned node, or is a rotation tet: such a
+  /// merge waits until the rotation front has risen.
+  [[nodiscard]] bool may_merge(const Patch& patch, uint8_t most_urgent) const {
+    bool may = true;
+    for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      for (const uint32_t which : bounded<2>(2, [] {})) {
+        const Leaf& leaf = forest_.leaf_of(forest_.child(patch.tet[i], which));
+        const uint8_t group_level = forest_.tet[front_.tet[leaf.group]].level;
+        may = may && urgencies_.of[leaf.tet] <= most_urgent && group_level < leaf.level &&
+              !touches(leaf, pinned_);
+      }
+    }
+    return may;
+  }
+
+  /// Starts to draw the middle nodes of calm patches.
+  void draw_calm() {
+    constexpr uint32_t kSlice = Urgencies<Profile>::kSlice;
+    const uint32_t count = kSlice < forest_.leaf_count ? kSlice : forest_.leaf_count;
+    uint32_t looks_left = 2 * Profile::kPatches;
+    for ([[maybe_unused]] const uint32_t i : bounded<kSlice>(count, [] {})) {
+      if (urgencies_.merge_at >= forest_.leaf_count) urgencies_.merge_at = 0;
+      if (looks_left == 0 || tethers_.is_full()) return;
+      const Leaf& leaf = forest_.leaf[urgencies_.merge_at];
+      ++urgencies_.merge_at;
+      if (urgencies_.of[leaf.tet] != Urgency::kCalm || leaf.level == 0) continue;
+      --looks_left;
+      draw(leaf);
+    }
+  }
+
+  void draw(const Leaf& leaf) {
+    const uint16_t middle = middle_of(leaf);
+    Patch patch{};
+    if (tethers_.find(middle) != Tethers<Profile>::kNobody) return;
+    if (find_merge(forest_, leaf.tet, patch) != MeshStatus::kDone || !may_merge(patch, Urgency::kCalm)) return;
+    const Leaf& first = forest_.leaf_of(forest_.child(patch.tet[0], 0));
+    const Leaf& second = forest_.leaf_of(forest_.child(patch.tet[0], 1));
+    const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(first.level - 1)));
+    const Ends ends{first.node[0], second.node[end - 1]};
+    if (tethers_.find(ends[0]) != Tethers<Profile>::kNobody) return;
+    if (tethers_.find(ends[1]) != Tethers<Profile>::kNobody) return;
+    tethers_.add(Tether{middle, ends, patch.tet[0], kTetherTicks, TetherKind::kDraw});
+  }
+
+  Forest<Profile>& forest_;
+  const RotationFront<Profile>& front_;
+  Tethers<Profile>& tethers_;
+  Urgencies<Profile>& urgencies_;
+  const StretchRules& rules_;
+  uint16_t pinned_;
+  Body& body_;
+  RemeshCounters& counters_;
+  uint32_t flags_ = 0;
+  bool changed_ = false;
+};
+
+}  // namespace palpate

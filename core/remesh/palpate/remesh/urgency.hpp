@@ -1,0 +1,126 @@
+// How much each leaf wants to be split, renewed in slices of the mesh, and the search for the leaves that want it most.
+#pragma once
+
+#include "palpate/remesh/stretch.hpp"
+#include "palpate/remesh/worst_first.hpp"
+
+namespace palpate {
+
+/// Ticks to renew all urgencies.
+inline constexpr uint32_t kSweepTicks = 8;
+
+template <class Profile>
+struct Urgencies {
+  static constexpr uint8_t kCalm = 0;     // may be merged
+  static constexpr uint8_t kNeutral = 1;  // as it should be, or not looked at yet
+  static constexpr uint8_t kWanted = 2;   // and more: wants to be split
+  static constexpr uint8_t kMost = 255;
+  static constexpr uint32_t kSlice = (Profile::kLeaves + kSweepTicks - 1) / kSweepTicks;
+
+  std::array<uint8_t, Forest<Profile>::kTets> of;  // of leaf tets
+  uint16_t sweep_at;  // the leaf whose urgency is renewed next
+  uint16_t split_at;  // where the search for the most urgent leaf starts: after the last one found
+  uint16_t merge_at;  // where the search for calm patches goes on
+
+  void clear() {
+    for (const uint32_t i : bounded<Forest<Profile>::kTets>(Forest<Profile>::kTets, [] {})) of[i] = kNeutral;
+    sweep_at = split_at = merge_at = 0;
+  }
+};
+
+/// Whether `node` is a vertex of the leaf; kNone never is.
+inline bool touches(const Leaf& leaf, uint16_t node) {
+  return leaf.node[0] == node || leaf.node[1] == node || leaf.node[2] == node || leaf.node[3] == node;
+}
+
+template <class Profile>
+StretchMeasure stretch_measure(const Forest<Profile>& forest, const Leaf& leaf, StretchCriterion criterion) {
+  switch (criterion) {
+    case StretchCriterion::kLongestEdge:
+      return longest_edge_stretch(forest, leaf);
+    case StretchCriterion::kSixEdges:
+      return largest_edge_stretch(forest, leaf);
+    default:
+      return strain_jump(forest, leaf);
+  }
+}
+
+/// `before`: its last one. A leaf that has to wait becomes a little more urgent with every renewal. Leaves at
+/// `pinned` go to their finest level.
+template <class Profile>
+uint8_t urgency_of(const Forest<Profile>& forest, const Leaf& leaf, const StretchRules& rules, uint16_t pinned,
+                   uint8_t before) {
+  using Urgency = Urgencies<Profile>;
+  const LevelRange levels = rules.levels[leaf.region];
+  const bool may_split = leaf.level < levels.most;
+  if (touches(leaf, pinned)) return may_split ? Urgency::kMost : Urgency::kNeutral;
+  if (leaf.level < levels.least) return Urgency::kMost;
+  const StretchMeasure stretch = stretch_measure(forest, leaf, rules.criterion);
+  if (stretch < rules.merge_below) return leaf.level > levels.least ? Urgency::kCalm : Urgency::kNeutral;
+  if (stretch <= rules.split_above || !may_split) return Urgency::kNeutral;
+  const uint32_t excess = class_of(static_cast<uint32_t>(stretch.raw())) -
+                          class_of(static_cast<uint32_t>(rules.split_above.raw()));
+  const uint32_t fresh = Urgency::kWanted + excess;
+  const uint32_t aged = before >= Urgency::kWanted ? before + 1u : fresh;
+  const uint32_t urgency = fresh > aged ? fresh : aged;
+  return urgency < Urgency::kMost ? static_cast<uint8_t>(urgency) : Urgency::kMost;
+}
+
+template <class Profile>
+void renew_urgencies(const Forest<Profile>& forest, const StretchRules& rules, uint16_t pinned,
+                     Urgencies<Profile>& urgencies) {
+  constexpr uint32_t kSlice = Urgencies<Profile>::kSlice;
+  const uint32_t count = kSlice < forest.leaf_count ? kSlice : forest.leaf_count;
+  for ([[maybe_unused]] const uint32_t i : bounded<kSlice>(count, [] {})) {
+    if (urgencies.sweep_at >= forest.leaf_count) urgencies.sweep_at = 0;
+    const Leaf& leaf = forest.leaf[urgencies.sweep_at];
+    urgencies.of[leaf.tet] = urgency_of(forest, leaf, rules, pinned, urgencies.of[leaf.tet]);
+    ++urgencies.sweep_at;
+  }
+}
+
+/// The most urgent leaf tets, at most one a patch of the budget, worst first.
+template <class Profile>
+struct MostUrgent {
+  std::array<uint16_t, Profile::kPatches> tet;
+  std::array<uint8_t, Profile::kPatches> urgency;
+  uint32_t count = 0;
+
+  void offer(uint16_t candidate, uint8_t how_urgent) {
+    const bool full = count == Profile::kPatches;
+    if (full && urgency[count - 1] >= how_urgent) return;
+    uint32_t at = full ? count - 1 : count;
+    for ([[maybe_unused]] const uint32_t i : bounded<Profile::kPatches>(at, [] {})) {
+      if (urgency[at - 1] >= how_urgent) break;
+      tet[at] = tet[at - 1];
+      urgency[at] = urgency[at - 1];
+      --at;
+    }
+    tet[at] = candidate;
+    urgency[at] = how_urgent;
+    count += full ? 0u : 1u;
+  }
+};
+
+/// Goes through all leaves, from split_at on, so that equally urgent ones take turns. Returns how many want to be
+/// split.
+template <class Profile>
+uint32_t find_most_urgent(const Forest<Profile>& forest, Urgencies<Profile>& urgencies,
+                          MostUrgent<Profile>& wanted) {
+  uint32_t waiting = 0;
+  if (urgencies.split_at >= forest.leaf_count) urgencies.split_at = 0;
+  uint32_t at = urgencies.split_at;
+  for ([[maybe_unused]] const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
+    const uint16_t tet = forest.leaf[at].tet;
+    const uint8_t urgency = urgencies.of[tet];
+    if (urgency >= Urgencies<Profile>::kWanted) {
+      ++waiting;
+      wanted.offer(tet, urgency);
+    }
+    ++at;
+    if (at == forest.leaf_count) at = 0;
+  }
+  return waiting;
+}
+
+}  // namespace palpate

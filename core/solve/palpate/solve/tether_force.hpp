@@ -1,0 +1,156 @@
+// Forces of tethers (mesh/tether.hpp), added to the elastic ones before a substep. With d the node's offset from
+// the midpoint of its edge's ends a and b, u = v - (v_a + v_b) / 2 its rate after the substep without the tether,
+// and S = w + w_a / 4 + w_b / 4 the rate that a unit force on the node gives it (w: Impulse, 0 for ends that
+// something else moves), the force on the node is
+//   F = - k u / S                 release: k goes from 1 - 2^-8 to 1/2, then the tether is gone
+//   F = - (u + d / substeps left) / S    draw: the node is at the midpoint in the end
+// and the ends take half of -F each: linear momentum is exact. A release is an inelastic impulse, which never adds
+// kinetic energy. The reaction of a grasped end holds its share of F.
+#pragma once
+
+#include "palpate/mesh/tether.hpp"
+#include "palpate/solve/integrate.hpp"
+
+namespace palpate {
+
+/// A component of F stays within this, so that forces of many tethers and elements fit at one node.
+inline constexpr Force kTetherForceLimit = Force::ratio(1, 2);
+
+namespace tether_detail {
+
+/// 1 / S: mantissa 2^-exponent.
+struct Inverse {
+  Q<1, 30> mantissa;  // (1, 2]
+  int exponent;
+};
+
+inline Inverse inverse_of(Acc<Impulse::kFractionBits> s) {
+  const auto raw = static_cast<uint32_t>(s.raw());  // 0 < S <= 12 with 28 fraction bits
+  const int room = leading_zeros(raw);
+  const auto mantissa = Q<0, 31>::from_raw(static_cast<int32_t>((raw << room) >> 1));
+  // S = mantissa 2^(31 - 28 + 1 - room)
+  return Inverse{reciprocal_normalised(mantissa), 32 - Impulse::kFractionBits - room};
+}
+
+/// u / S as a force, within the limit.
+inline Force force_for(Velocity u, const Inverse& inverse) {
+  constexpr int kBits = Velocity::kFractionBits + 30;
+  const Acc<kBits> product = u * inverse.mantissa;
+  const int64_t raw = shift_right_rounded(product.raw(), kBits - Force::kFractionBits + inverse.exponent);
+  const int64_t limit = kTetherForceLimit.raw();
+  const int64_t low = raw < -limit ? -limit : raw;
+  return Force::from_raw(static_cast<int32_t>(low > limit ? limit : low));
+}
+
+}  // namespace tether_detail
+
+template <class Profile>
+class TetherForces {
+ public:
+  TetherForces(Forest<Profile>& forest, const SolveState<Profile>& solve, uint16_t driven)
+      : node_(forest.node), solve_(solve), driven_(driven) {}
+
+  /// Forces of one tether for the next substep; `substeps_left` counts it, to the end of the tether.
+  void add(const Tether& tether, uint32_t substeps_left) {
+    const Impulse w = mobility(tether.node);
+    const Impulse w0 = mobility(tether.end[0]);
+    const Impulse w1 = mobility(tether.end[1]);
+    const Acc<Impulse::kFractionBits> s = Acc<Impulse::kFractionBits>::from_raw(
+        int64_t{w.raw()} + ((int64_t{w0.raw()} + w1.raw()) >> 2));
+    if (s.raw() == 0) return;
+    const auto inverse = tether_detail::inverse_of(s);
+    const Q<0, 31> part = part_of(substeps_left);
+    for (const uint32_t axis : bounded<3>(3, [] {})) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      const Velocity u = rate(tether, a);
+      const Velocity wanted = tether.kind == TetherKind::kRelease
+                                  ? released(u, tether.ticks_left)
+                                  : drawn(u, offset(tether, a), part);
+      const Force on_node = tether_detail::force_for(wanted, inverse);
+      const Force half = Force::from_raw(on_node.raw() >> 1);
+      node_.force[tether.node][a] += on_node;
+      node_.force[tether.end[0]][a] -= half;
+      node_.force[tether.end[1]][a] -= on_node - half;
+    }
+  }
+
+ private:
+  [[nodiscard]] Impulse mobility(uint16_t node) const {
+    const bool free = solve_.control[node] == NodeControl::kFree && node != driven_;
+    return free ? solve_.impulse[node] : Impulse::from_raw(0);
+  }
+  /// Velocity after the substep, without damping.
+  [[nodiscard]] Acc<53> next(uint16_t node, Eigen::Index a) const {
+    return widen<53>(node_.velocity[node][a]) + node_.force[node][a] * mobility(node);
+  }
+  [[nodiscard]] Velocity rate(const Tether& tether, Eigen::Index a) const {
+    const int64_t ends = (next(tether.end[0], a).raw() >> 1) + (next(tether.end[1], a).raw() >> 1);
+    return narrow_saturated<Velocity>(next(tether.node, a) - Acc<53>::from_raw(ends));
+  }
+  [[nodiscard]] Position offset(const Tether& tether, Eigen::Index a) const {
+    const auto& x = node_.position;
+    const auto ends = widen<Position::kFractionBits>(x[tether.end[0]][a]) +
+                      widen<Position::kFractionBits>(x[tether.end[1]][a]);
+    return x[tether.node][a] - narrow<Position>(divide_by_power_of_two<1>(ends));
+  }
+  /// - k u with k = 1 - 2^-n, n from 8 down to 1.
+  static Velocity released(Velocity u, uint32_t ticks_left) {
+    const uint32_t n = (ticks_left + 3u) / 4u;
+    return Velocity::from_raw((u.raw() >> n) - u.raw());
+  }
+  /// 1 / substeps left.
+  static Q<0, 31> part_of(uint32_t substeps_left) {
+    const int room = leading_zeros(substeps_left);
+    const auto mantissa = Q<0, 31>::from_raw(static_cast<int32_t>((substeps_left << room) >> 1));
+    const int64_t raw = reciprocal_normalised(mantissa).raw();  // 1 / n = raw 2^-30 2^-(32 - room)
+    const int64_t scaled = (raw << 1) >> (32 - room);
+    return Q<0, 31>::from_raw(static_cast<int32_t>(scaled > 0x7fffffff ? 0x7fffffff : scaled));
+  }
+  /// - (u + part d)
+  static Velocity drawn(Velocity u, Position d, Q<0, 31> part) {
+    const Acc<58> step = d * part;
+    return narrow_saturated<Velocity>(-(step + widen<58>(u)));
+  }
+
+  NodeState<Profile::kNodes>& node_;
+  const SolveState<Profile>& solve_;
+  uint16_t driven_;
+};
+
+/// All tethers, one after the other, for the substep that `remaining` counts (1: the last of the tick).
+template <class Profile>
+void add_tether_forces(Forest<Profile>& forest, const SolveState<Profile>& solve,
+                       const Tethers<Profile>& tethers, uint32_t substeps, uint32_t remaining,
+                       uint16_t driven) {
+  TetherForces<Profile> forces(forest, solve, driven);
+  for (const uint32_t i : bounded<Profile::kTethers>(tethers.count, [] {})) {
+    const Tether& tether = tethers.tether[i];
+    forces.add(tether, (tether.ticks_left - 1u) * substeps + remaining);
+  }
+}
+
+/// A node that a merge is about to remove gives half of its mass to each end of its edge, and its momentum with
+/// it: v_a' = v_a + (v - v_a) m/2 / (m_a + m/2). Momentum is exact to half a velocity LSB, kinetic energy never
+/// rises. Ends that something else moves keep their velocity. Call it before merge.
+template <class Profile>
+void absorb_momentum(Forest<Profile>& forest, const SolveState<Profile>& solve, uint16_t node,
+                     const std::array<uint16_t, 2>& ends) {
+  auto& velocity = forest.node.velocity;
+  const MassUnits half = forest.node.mass[node] / 2;
+  for (const uint32_t i : bounded<2>(2, [] {})) {
+    const uint16_t end = ends[i];
+    if (solve.control[end] != NodeControl::kFree) continue;
+    const MassUnits whole = forest.node.mass[end] + half;
+    const int room = leading_zeros(whole);
+    const auto mantissa = Q<0, 31>::from_raw(static_cast<int32_t>((whole << room) >> 1));
+    const int64_t inverse = reciprocal_normalised(mantissa).raw();  // 1 / whole = inverse 2^-30 2^-(32 - room)
+    const int64_t share = static_cast<int64_t>(half) * inverse >> (62 - room - 31);
+    const auto part = Q<0, 31>::from_raw(static_cast<int32_t>(share > 0x7fffffff ? 0x7fffffff : share));
+    for (const uint32_t axis : bounded<3>(3, [] {})) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      velocity[end][a] += narrow<Velocity>(velocity[node][a] * part - velocity[end][a] * part);
+    }
+  }
+}
+
+}  // namespace palpate
