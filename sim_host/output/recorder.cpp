@@ -21,7 +21,7 @@ class ForceLog {
       : file_(path.string()), has_device_(has_device) {
     file_.print(
         "tick,time_ms,tool_x_mm,tool_y_mm,tool_z_mm,displacement_x_mm,displacement_y_mm,displacement_z_mm,"
-        "force_x_N,force_y_N,force_z_N,{}flags\n",
+        "force_x_N,force_y_N,force_z_N,{}tets,rotation_tets,flags\n",
         has_device ? "motor_1_code,motor_2_code,motor_3_code," : "");
   }
   void add(const Sample& sample) {
@@ -32,7 +32,7 @@ class ForceLog {
     if (has_device_) {
       for (const uint16_t code : sample.motor_codes) file_.print(",{}", code);
     }
-    file_.print(",{}\n", sample.flags);
+    file_.print(",{},{},{}\n", sample.tets, sample.rotation_tets, sample.flags);
   }
   void close() { file_.close(); }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "output/gnuplot.hpp"
 #include "output/plots.hpp"
@@ -25,11 +26,15 @@ void print_result(const Recording& recording, const Simulation& simulation, cons
              recording.duration_s, recording.duration_s * 1e3 / recording.last.tick);
   fmt::print("  profile     {}, level {}, {} substeps\n", scenario.profile, scenario.model.level,
              scenario.model.substeps);
-  fmt::print("  tets        {} ({} nodes, {} rotation tets)\n", totals.tets, totals.nodes,
-             totals.rotation_tets);
+  fmt::print("  tets        {}, at most {} ({} bisected, {} merged)\n", totals.tets.used, totals.tets.peak,
+             totals.remesh.bisected, totals.remesh.merged);
+  fmt::print("  rotations   {}, at most {} ({} split, {} joined)\n", totals.rotation_tets.used,
+             totals.rotation_tets.peak, totals.remesh.groups_split, totals.remesh.groups_joined);
+  fmt::print("  nodes       {}, at most {}\n", totals.nodes.used, totals.nodes.peak);
   fmt::print("  peak force  {:.3f} mN\n", recording.peak_force_n * 1e3);
   fmt::print("  clamps      speed {}, position {}, strain {}\n", totals.clamps.speed, totals.clamps.position,
              totals.clamps.strain);
+  fmt::print("  flags       {}\n", fmt::join(flag_names(recording.all_flags), ", "));
   fmt::print("  state hash  {:016x}\n", recording.state_hash);
   fmt::print("  written to  {}\n", scenario.out);
 }

@@ -21,7 +21,14 @@ void require_started(Status status) {
 
 template <class Profile>
 Totals read_totals(const State<Profile>& state) {
-  return Totals{state.forest.leaf_count, state.forest.nodes.used(), state.front.groups.used(), state.clamps};
+  const auto& forest = state.forest;
+  const auto& groups = state.front.groups;
+  return Totals{{forest.leaf_count, forest.leaf_counters.peak},
+                {forest.nodes.used(), forest.nodes.counters().peak},
+                {groups.used(), groups.counters().peak},
+                {state.tethers.count, state.tethers.peak},
+                state.remesh,
+                state.clamps};
 }
 
 /// The node nearest to the scenario's at rest; BadInput when that is too far away.

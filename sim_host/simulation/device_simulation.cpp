@@ -2,6 +2,7 @@
 #include "palpate/firmware/cycle.hpp"
 #include "scenario/grasp_script.hpp"
 #include "simulation/body_reading.hpp"
+#include "simulation/stage_clock.hpp"
 #include "simulation/read_fields.hpp"
 #include "simulation/with_profile.hpp"
 
@@ -27,8 +28,7 @@ class DeviceSimulation final : public Simulation {
     const firmware::Sensors sensors{{counts[0], counts[1], counts[2]},
                                     (row.buttons & firmware::ScriptRow::kGraspButton) != 0};
     firmware::Actuators actuators{};
-    firmware::NoProbe probe;
-    firmware::cycle(*state_, sensors, actuators, probe);
+    firmware::cycle(*state_, sensors, actuators, clock_);
     was_button_pressed_ = was_button_pressed_ || sensors.grasp_button;
     was_grasping_ = was_grasping_ || state_->core.grasp.holds();
     return state_->fault == firmware::Fault::kNone && state_->core.tick < rows_.size();
@@ -40,10 +40,13 @@ class DeviceSimulation final : public Simulation {
                   displacement_mm(state_->core, watched_, model.edge_m),
                   to_doubles(state_->force),
                   state_->motor_codes,
-                  state_->output.flags};
+                  state_->output.flags,
+                  state_->core.forest.leaf_count,
+                  state_->core.front.groups.used()};
   }
   [[nodiscard]] uint32_t expected_ticks() const override { return static_cast<uint32_t>(rows_.size()); }
   [[nodiscard]] bool has_device() const override { return true; }
+  [[nodiscard]] std::vector<double> stage_ms() const override { return clock_.milliseconds(); }
   [[nodiscard]] Totals totals() const override { return read_totals(state_->core); }
   [[nodiscard]] BodyShape shape() const override { return read_shape(state_->core, scenario_.model); }
   [[nodiscard]] BodyFields fields() const override { return read_fields(state_->core, scenario_.model); }
@@ -78,6 +81,7 @@ class DeviceSimulation final : public Simulation {
   Scenario scenario_;
   std::vector<firmware::ScriptRow> rows_;
   std::unique_ptr<firmware::CycleState<Profile>> state_;
+  StageClock<firmware::Stage, firmware::kStageCount> clock_;
   uint16_t watched_;
   bool was_button_pressed_ = false;
   bool was_grasping_ = false;

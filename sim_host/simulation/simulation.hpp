@@ -18,10 +18,17 @@ struct Sample {
   std::array<double, 3> force_n;          // of the tissue on the tool, or on the turned end
   std::array<uint16_t, 3> motor_codes;    // only with a device
   uint32_t flags;                         // TickFlag bits
+  uint32_t tets, rotation_tets;           // in use
+};
+
+/// How many of a pool are in use, and were at most.
+struct PoolUse {
+  uint32_t used, peak;
 };
 
 struct Totals {
-  uint32_t tets, nodes, rotation_tets;
+  PoolUse tets, nodes, rotation_tets, tethers;
+  RemeshCounters remesh;
   ClampCounters clamps;
 };
 
@@ -51,6 +58,8 @@ class Simulation {
   /// Names and hashes of the stages in order; the last one is "state", over everything.
   [[nodiscard]] virtual std::vector<std::string> hash_names() const = 0;
   [[nodiscard]] virtual std::vector<uint64_t> hashes() const = 0;
+  /// Host time spent in each stage so far, in the same order, without "state".
+  [[nodiscard]] virtual std::vector<double> stage_ms() const = 0;
 
   [[nodiscard]] virtual Totals totals() const = 0;
   [[nodiscard]] virtual BodyShape shape() const = 0;

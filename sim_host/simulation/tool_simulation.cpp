@@ -4,6 +4,7 @@
 #include "simulation/body_reading.hpp"
 #include "simulation/read_fields.hpp"
 #include "simulation/rest_detector.hpp"
+#include "simulation/stage_clock.hpp"
 #include "simulation/with_profile.hpp"
 
 namespace palpate::sim {
@@ -32,9 +33,12 @@ class ToolSimulation : public Simulation {
                   displacement_mm(*state_, watched_, model.edge_m),
                   scaled(force_in_units(), newtons_per_unit(model)),
                   {},
-                  output_.flags};
+                  output_.flags,
+                  state_->forest.leaf_count,
+                  state_->front.groups.used()};
   }
   [[nodiscard]] bool has_device() const override { return false; }
+  [[nodiscard]] std::vector<double> stage_ms() const override { return clock_.milliseconds(); }
   [[nodiscard]] Totals totals() const override { return read_totals(*state_); }
   [[nodiscard]] BodyShape shape() const override { return read_shape(*state_, scenario_.model); }
   [[nodiscard]] BodyFields fields() const override { return read_fields(*state_, scenario_.model); }
@@ -63,8 +67,7 @@ class ToolSimulation : public Simulation {
 
   void tick_with(const TickInput& input) {
     input_ = input;
-    NoProbe probe;
-    tick(*state_, input_, output_, probe);
+    tick(*state_, input_, output_, clock_);
   }
   [[nodiscard]] uint32_t ticks_or(uint32_t all) const {
     return scenario_.ticks == Scenario::kAllTicks ? all : static_cast<uint32_t>(scenario_.ticks);
@@ -75,6 +78,7 @@ class ToolSimulation : public Simulation {
   std::unique_ptr<State<Profile>> state_;
   TickInput input_;
   TickOutput output_{zero_vector<Force>(), 0};
+  StageClock<CoreStage, kCoreStages> clock_;
   uint16_t watched_;
 };
 
