@@ -3,15 +3,13 @@
 // tr(e)^2).
 #pragma once
 
-#include <vector>
-
 #include "reference/mesh.hpp"
 
 namespace palpate::reference {
 
 using ElementForces = std::array<Vector, 4>;
-/// - d f / d x of an element's 12 coordinates, node by node.
-using ElementTangent = Eigen::Matrix<double, 12, 12>;
+/// d vec(P) / d vec(F), columns stacked.
+using StressTangent = Eigen::Matrix<double, 9, 9>;
 
 /// First Piola-Kirchhoff stress with a given rotation, which need not be F's own.
 Matrix corotated_stress(const Matrix& f, const Matrix& r, const Material& material);
@@ -20,11 +18,9 @@ double corotated_energy(const Matrix& f, const Material& material);
 
 ElementForces forces_of(const Element& element, const Matrix& f, const Matrix& r, const Material& material);
 
-enum class Tangent { kExact, kPositive };  // kPositive: negative eigenvalues of dP/dF are cut to zero
-
 /// Tangent with the polar rotation of f, including the rotation's derivative:
 ///   dP = 2 mu (dF - dR) + lambda tr(R^T dF) R + lambda tr(e) dR
 ///   dR = R [omega]x,  (tr(S) I - S) omega = axial vector of R^T dF,  S = R^T F
-ElementTangent tangent_of(const Element& element, const Matrix& f, const Material& material, Tangent kind);
+StressTangent corotated_tangent(const Matrix& f, const Material& material);
 
 }  // namespace palpate::reference

@@ -35,14 +35,6 @@ std::vector<Element> elements_of(const Mesh& mesh) {
   return elements;
 }
 
-Matrix deformation_gradient(const Element& element, const Positions& x) {
-  Matrix f = Matrix::Zero();
-  for (uint32_t i = 1; i < 4; ++i) {
-    f += (x[element.node[i]] - x[element.node[0]]) * element.gradient[i].transpose();
-  }
-  return f;
-}
-
 std::vector<double> lumped_masses(const Mesh& mesh, const std::vector<Material>& materials) {
   std::vector<double> mass(mesh.rest.size(), 0.0);
   for (const Element& element : elements_of(mesh)) {

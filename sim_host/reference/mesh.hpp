@@ -26,19 +26,31 @@ struct Mesh {
   std::vector<uint32_t> region;              // of each tet, an index of the materials
 };
 
-/// x(X) is linear in a tet: F = sum over i of x_i gradient_i^T.
-struct Element {
-  std::array<uint32_t, 4> node;
-  std::array<Vector, 4> gradient;  // of the node's shape function, 1/m
-  double volume;                   // m3
+/// A point at which stress is evaluated, with the volume that it stands for: F = sum over i of x_i
+/// gradient_i^T. A linear tet is one such point with its four nodes, a quadratic one is four points with ten
+/// nodes.
+template <uint32_t kNodes>
+struct ElementOf {
+  std::array<uint32_t, kNodes> node;
+  std::array<Vector, kNodes> gradient;  // of the node's shape function, 1/m; they add up to zero
+  double volume;                        // m3
   uint32_t region;
 };
+using Element = ElementOf<4>;
 
 /// Gradients from the inverse of the rest edge matrix.
 Element element_of(const Mesh& mesh, uint32_t tet);
 std::vector<Element> elements_of(const Mesh& mesh);
 
-Matrix deformation_gradient(const Element& element, const Positions& x);
+/// From differences to the first node, so that a far translation costs no digits.
+template <uint32_t kNodes>
+Matrix deformation_gradient(const ElementOf<kNodes>& element, const Positions& x) {
+  Matrix f = Matrix::Zero();
+  for (uint32_t i = 1; i < kNodes; ++i) {
+    f += (x[element.node[i]] - x[element.node[0]]) * element.gradient[i].transpose();
+  }
+  return f;
+}
 
 /// A quarter of each tet's mass to each of its nodes, kg.
 std::vector<double> lumped_masses(const Mesh& mesh, const std::vector<Material>& materials);

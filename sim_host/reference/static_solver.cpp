@@ -3,7 +3,6 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
-#include "reference/polar_rotation.hpp"
 #include "reference/stiffness.hpp"
 
 namespace palpate::reference {
@@ -14,9 +13,11 @@ constexpr double kShortestStep = 1e-6;
 
 using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
 
+template <uint32_t kNodes>
 class LoadStep {
  public:
-  LoadStep(const StaticProblem& problem, const std::vector<Element>& elements, const FreeNodes& free)
+  LoadStep(const StaticProblem& problem, const std::vector<ElementOf<kNodes>>& elements,
+           const FreeNodes& free)
       : problem_(problem), elements_(elements), free_(free) {}
 
   /// Iterates until the residual is below the tolerance. Returns the iterations, or -1.
@@ -33,7 +34,7 @@ class LoadStep {
 
  private:
   [[nodiscard]] Eigen::VectorXd free_forces(const Positions& x) const {
-    const std::vector<Vector> forces = static_forces(elements_, problem_.materials, x);
+    const std::vector<Vector> forces = static_forces(elements_, problem_.materials, x, problem_.model);
     Eigen::VectorXd free(free_.coordinates());
     for (uint32_t node = 0; node < x.size(); ++node) {
       if (free_.is_free(node)) free.segment<3>(free_.first_coordinate(node)) = forces[node];
@@ -41,12 +42,20 @@ class LoadStep {
     return free;
   }
 
+  [[nodiscard]] SparseMatrix stiffness(const Positions& x, Tangent kind) const {
+    return assemble_stiffness(elements_, problem_.materials, x, free_, kind, problem_.model);
+  }
+
   /// With the exact tangent where it is positive definite, else with its positive part.
   [[nodiscard]] Eigen::VectorXd newton_step(const Positions& x, const Eigen::VectorXd& force) const {
-    Factors exact(assemble_stiffness(elements_, problem_.materials, x, free_, Tangent::kExact));
+    Factors exact(stiffness(x, Tangent::kExact));
     if (exact.info() == Eigen::Success && exact.vectorD().minCoeff() > 0) return exact.solve(force);
-    Factors positive(assemble_stiffness(elements_, problem_.materials, x, free_, Tangent::kPositive));
+    Factors positive(stiffness(x, Tangent::kPositive));
     return positive.solve(force);
+  }
+
+  [[nodiscard]] double energy(const Positions& x) const {
+    return static_energy(elements_, problem_.materials, x, problem_.model);
   }
 
   [[nodiscard]] Positions moved(const Positions& x, const Eigen::VectorXd& step, double length) const {
@@ -61,11 +70,11 @@ class LoadStep {
   /// the residual falls.
   bool search(Positions& x, const Eigen::VectorXd& force, const Eigen::VectorXd& step,
               double residual) const {
-    const double energy = static_energy(elements_, problem_.materials, x);
+    const double before = energy(x);
     for (double length = 1.0; length > kShortestStep; length /= 2) {
       const Positions next = moved(x, step, length);
       const double promised = length * force.dot(step);
-      const bool lower = static_energy(elements_, problem_.materials, next) < energy - 1e-4 * promised;
+      const bool lower = energy(next) < before - 1e-4 * promised;
       if (lower || free_forces(next).cwiseAbs().maxCoeff() < 0.5 * residual) {
         x = next;
         return true;
@@ -75,36 +84,39 @@ class LoadStep {
   }
 
   const StaticProblem& problem_;
-  const std::vector<Element>& elements_;
+  const std::vector<ElementOf<kNodes>>& elements_;
   const FreeNodes& free_;
 };
 
 }  // namespace
 
-std::vector<Vector> static_forces(const std::vector<Element>& elements,
-                                  const std::vector<Material>& materials, const Positions& x) {
+template <uint32_t kNodes>
+std::vector<Vector> static_forces(const std::vector<ElementOf<kNodes>>& elements,
+                                  const std::vector<Material>& materials, const Positions& x,
+                                  ElasticModel model) {
   std::vector<Vector> forces(x.size(), Vector::Zero());
-  for (const Element& element : elements) {
-    const Matrix f = deformation_gradient(element, x);
-    const ElementForces part = forces_of(element, f, polar_rotation(f), materials[element.region]);
-    for (uint32_t i = 0; i < 4; ++i) forces[element.node[i]] += part[i];
+  for (const ElementOf<kNodes>& element : elements) {
+    const Matrix p = stress_of(model, deformation_gradient(element, x), materials[element.region]);
+    for (uint32_t i = 0; i < kNodes; ++i)
+      forces[element.node[i]] -= element.volume * (p * element.gradient[i]);
   }
   return forces;
 }
 
-double static_energy(const std::vector<Element>& elements, const std::vector<Material>& materials,
-                     const Positions& x) {
+template <uint32_t kNodes>
+double static_energy(const std::vector<ElementOf<kNodes>>& elements, const std::vector<Material>& materials,
+                     const Positions& x, ElasticModel model) {
   double energy = 0.0;
-  for (const Element& element : elements) {
-    energy += element.volume * corotated_energy(deformation_gradient(element, x), materials[element.region]);
+  for (const ElementOf<kNodes>& element : elements) {
+    energy += element.volume * energy_of(model, deformation_gradient(element, x), materials[element.region]);
   }
   return energy;
 }
 
-StaticSolution solve_static(const StaticProblem& problem) {
-  const std::vector<Element> elements = elements_of(problem.mesh);
+template <uint32_t kNodes>
+StaticSolution solve_static(const StaticProblem& problem, const std::vector<ElementOf<kNodes>>& elements) {
   const FreeNodes free(problem.prescribed);
-  const LoadStep step(problem, elements, free);
+  const LoadStep<kNodes> step(problem, elements, free);
   StaticSolution solution{problem.mesh.rest, {}, 0.0, 0, true};
   for (int i = 1; i <= problem.load_steps && solution.converged; ++i) {
     problem.place(static_cast<double>(i) / problem.load_steps, solution.x);
@@ -112,8 +124,23 @@ StaticSolution solve_static(const StaticProblem& problem) {
     solution.converged = iterations >= 0;
     solution.iterations += std::max(iterations, 0);
   }
-  solution.force = static_forces(elements, problem.materials, solution.x);
+  solution.force = static_forces(elements, problem.materials, solution.x, problem.model);
   return solution;
 }
+
+StaticSolution solve_static(const StaticProblem& problem) {
+  return solve_static(problem, elements_of(problem.mesh));
+}
+
+template std::vector<Vector> static_forces(const std::vector<ElementOf<4>>&, const std::vector<Material>&,
+                                           const Positions&, ElasticModel);
+template std::vector<Vector> static_forces(const std::vector<ElementOf<10>>&, const std::vector<Material>&,
+                                           const Positions&, ElasticModel);
+template double static_energy(const std::vector<ElementOf<4>>&, const std::vector<Material>&,
+                              const Positions&, ElasticModel);
+template double static_energy(const std::vector<ElementOf<10>>&, const std::vector<Material>&,
+                              const Positions&, ElasticModel);
+template StaticSolution solve_static(const StaticProblem&, const std::vector<ElementOf<4>>&);
+template StaticSolution solve_static(const StaticProblem&, const std::vector<ElementOf<10>>&);
 
 }  // namespace palpate::reference

@@ -1,11 +1,12 @@
-// Equilibrium of a fully corotated body under prescribed displacements: Newton's method with the exact
-// tangent and a line search on the energy, prescribed displacements applied in load steps.
+// Equilibrium of a body under prescribed displacements: Newton's method with the exact tangent and a line
+// search on the energy, prescribed displacements applied in load steps. The paper's full corotation, NL-FEM
+// (St. Venant-Kirchhoff) and L-FEM (linear) are this with three models.
 #pragma once
 
 #include <functional>
 #include <vector>
 
-#include "reference/mesh.hpp"
+#include "reference/elastic_model.hpp"
 
 namespace palpate::reference {
 
@@ -18,6 +19,7 @@ struct StaticProblem {
   std::function<void(double load, Positions& x)> place;
   int load_steps = 10;
   double tolerance_n = 1e-10;  // of the largest force component on a free node
+  ElasticModel model = ElasticModel::kCorotation;
 };
 
 struct StaticSolution {
@@ -28,12 +30,20 @@ struct StaticSolution {
   bool converged;
 };
 
+/// With one linear element a tet of the mesh.
 StaticSolution solve_static(const StaticProblem& problem);
 
-/// Elastic forces on all nodes with polar rotations, N, and the energy, J.
-std::vector<Vector> static_forces(const std::vector<Element>& elements,
-                                  const std::vector<Material>& materials, const Positions& x);
-double static_energy(const std::vector<Element>& elements, const std::vector<Material>& materials,
-                     const Positions& x);
+/// With other elements over the nodes problem.mesh.rest. For 4 and 10 nodes.
+template <uint32_t kNodes>
+StaticSolution solve_static(const StaticProblem& problem, const std::vector<ElementOf<kNodes>>& elements);
+
+/// Elastic forces on all nodes, N, and the energy, J. For 4 and 10 nodes.
+template <uint32_t kNodes>
+std::vector<Vector> static_forces(const std::vector<ElementOf<kNodes>>& elements,
+                                  const std::vector<Material>& materials, const Positions& x,
+                                  ElasticModel model = ElasticModel::kCorotation);
+template <uint32_t kNodes>
+double static_energy(const std::vector<ElementOf<kNodes>>& elements, const std::vector<Material>& materials,
+                     const Positions& x, ElasticModel model = ElasticModel::kCorotation);
 
 }  // namespace palpate::reference

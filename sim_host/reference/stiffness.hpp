@@ -4,7 +4,7 @@
 #include <Eigen/Sparse>
 #include <vector>
 
-#include "reference/corotation.hpp"
+#include "reference/elastic_model.hpp"
 
 namespace palpate::reference {
 
@@ -31,16 +31,18 @@ class FreeNodes {
 };
 
 /// - d f / d x at x, N/m.
-inline SparseMatrix assemble_stiffness(const std::vector<Element>& elements,
-                                       const std::vector<Material>& materials, const Positions& x,
-                                       const FreeNodes& free, Tangent kind) {
+template <uint32_t kNodes>
+SparseMatrix assemble_stiffness(const std::vector<ElementOf<kNodes>>& elements,
+                                const std::vector<Material>& materials, const Positions& x,
+                                const FreeNodes& free, Tangent kind,
+                                ElasticModel model = ElasticModel::kCorotation) {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(elements.size() * 144);
-  for (const Element& element : elements) {
-    const ElementTangent k =
-        tangent_of(element, deformation_gradient(element, x), materials[element.region], kind);
-    for (uint32_t a = 0; a < 12; ++a) {
-      for (uint32_t b = 0; b < 12; ++b) {
+  entries.reserve(elements.size() * 9 * kNodes * kNodes);
+  for (const ElementOf<kNodes>& element : elements) {
+    const TangentOf<kNodes> k =
+        tangent_of(element, deformation_gradient(element, x), materials[element.region], kind, model);
+    for (uint32_t a = 0; a < 3 * kNodes; ++a) {
+      for (uint32_t b = 0; b < 3 * kNodes; ++b) {
         const uint32_t row = element.node[a / 3];
         const uint32_t column = element.node[b / 3];
         if (!free.is_free(row) || !free.is_free(column)) continue;
