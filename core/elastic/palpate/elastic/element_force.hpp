@@ -29,7 +29,7 @@ struct EdgeForces {
 };
 
 /// lambda tr(e), from A.
-inline Stress pressure(const Matrix3<Strain>& a, const Material& material, uint32_t& clamped) {
+PALPATE_ALWAYS_INLINE Stress pressure(const Matrix3<Strain>& a, const Material& material, uint32_t& clamped) {
   const Strain trace = a(0, 0) + a(1, 1) + a(2, 2) - Strain::ratio(3, 1);
   const Strain within = clamp(trace, -kTraceLimit, kTraceLimit);
   clamped |= static_cast<uint32_t>(trace.raw() ^ within.raw());
@@ -39,7 +39,7 @@ inline Stress pressure(const Matrix3<Strain>& a, const Material& material, uint3
 
 /// The symmetric sigma as a full matrix. `clamped` collects a non-zero bit when trace or stress was. 7
 /// multiplies.
-inline Matrix3<Stress> corotated_stress(const Matrix3<Strain>& a, const Material& material,
+PALPATE_ALWAYS_INLINE Matrix3<Stress> corotated_stress(const Matrix3<Strain>& a, const Material& material,
                                         uint32_t& clamped) {
   const Stress p = pressure(a, material, clamped);
   const auto limited = [&clamped](Stress sigma) {
