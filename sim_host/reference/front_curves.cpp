@@ -22,7 +22,6 @@ constexpr uint32_t kSearchedCounts[] = {18,  32,  48,  72,  100, 150, 200, 250,
 struct BarProfile {
   static constexpr uint16_t kLeaves = 1152;
   static constexpr uint16_t kNodes = 512;
-  static constexpr uint16_t kGroups = 1152;
   static constexpr uint8_t kMaxLevel = 6;
 };
 
