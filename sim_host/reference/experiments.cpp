@@ -7,7 +7,6 @@ namespace palpate::reference {
 namespace {
 
 constexpr double kOnFace = 1e-9;  // m
-constexpr int kBendSteps = 15;
 
 /// A rigid motion x -> turn x + shift.
 struct Motion {
@@ -23,7 +22,7 @@ class Arc {
 
   /// The motion of the cross-section at z of the rest shape.
   [[nodiscard]] Motion section(double z) const {
-    const Motion middle = section_from_middle(z);
+    Motion middle = section_from_middle(z);
     if (frame_ == BendFrame::kMiddle) return middle;
     const Motion out = to_held_end();
     return Motion{out.turn * middle.turn, out.turn * middle.shift + out.shift};
@@ -62,17 +61,18 @@ std::vector<bool> nodes_on_ends(const Mesh& mesh, bool both_ends) {
 
 }  // namespace
 
-StaticProblem bend_problem(const Mesh& mesh, const Material& material, double angle_rad, BendFrame frame) {
+StaticProblem bend_problem(const Mesh& mesh, const Material& material, double angle_rad, BendFrame frame,
+                           int load_steps) {
   StaticProblem problem;
   problem.mesh = mesh;
   problem.materials = {material};
   problem.prescribed = nodes_on_ends(mesh, true);
-  problem.load_steps = kBendSteps;
+  problem.load_steps = load_steps;
   const double length = 2.0 * upper_corner(mesh)[2];
-  problem.place = [rest = mesh.rest, prescribed = problem.prescribed, length, angle_rad, frame](
+  problem.place = [rest = mesh.rest, prescribed = problem.prescribed, length, angle_rad, frame, load_steps](
                       double load, Positions& x) {
     const Arc arc(length, angle_rad * load, frame);
-    const Arc before(length, angle_rad * (load - 1.0 / kBendSteps), frame);
+    const Arc before(length, angle_rad * (load - 1.0 / load_steps), frame);
     for (uint32_t i = 0; i < x.size(); ++i) {
       const Motion now = arc.section(rest[i][2]);
       const Motion then = before.section(rest[i][2]);

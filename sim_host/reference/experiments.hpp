@@ -14,7 +14,8 @@ enum class BendFrame { kHeldEnd, kMiddle };
 /// Experiment 1: one end face (z = -length / 2) held, the other moved so that the centre line, its length
 /// kept, is an arc of `angle_rad` in the x-z plane and cross-sections turn with it. The first guess of a load
 /// step turns each free node with its section.
-StaticProblem bend_problem(const Mesh& mesh, const Material& material, double angle_rad, BendFrame frame);
+StaticProblem bend_problem(const Mesh& mesh, const Material& material, double angle_rad, BendFrame frame,
+                           int load_steps = 15);
 
 /// Positions of a bend that was solved in the frame of the middle, in the held end's frame.
 Positions in_held_end_frame(Positions x, double length_m, double angle_rad);
