@@ -27,8 +27,8 @@ inline void add_once(FrontPatch& patch, uint16_t tet) {
 
 }  // namespace front_patch_detail
 
-/// The tets at the level of `tet`, an internal one, around its refinement edge. kNotReady when one of them lies
-/// below a coarser tet of the front. O(8 x levels).
+/// The tets at the level of `tet`, an internal one, around its refinement edge. kNotReady when some of them lie
+/// below coarser tets of the front; those are left out. O(8 x levels).
 template <class Profile>
 [[nodiscard]] MeshStatus find_front_patch(const Forest<Profile>& forest, const RotationFront<Profile>& front,
                                           uint16_t tet, FrontPatch& patch) {
@@ -46,11 +46,11 @@ template <class Profile>
     const uint16_t group = forest.leaf_of(around.tet[i]).group;
     if (forest.tet[front.tet[group]].level < level) {
       patch.blocker = group;
-      return MeshStatus::kNotReady;
+      continue;
     }
     front_patch_detail::add_once(patch, ancestor_at(forest, around.tet[i], level));
   }
-  return walk;
+  return patch.blocker == kNone ? walk : MeshStatus::kNotReady;
 }
 
 }  // namespace palpate
