@@ -9,6 +9,7 @@
 //   void before_removal(node, ends), void removed(ends)      around a merge
 #pragma once
 
+#include "palpate/mesh/patch.hpp"
 #include "palpate/mesh/rotation_front.hpp"
 #include "palpate/mesh/tether.hpp"
 #include "palpate/remesh/urgency.hpp"

@@ -76,8 +76,8 @@ class TetherForces {
 
  private:
   [[nodiscard]] Impulse mobility(uint16_t node) const {
-    const bool free = solve_.control[node] == NodeControl::kFree && node != driven_;
-    return free ? solve_.impulse[node] : Impulse::from_raw(0);
+    const bool is_free = solve_.control[node] == NodeControl::kFree && node != driven_;
+    return is_free ? solve_.impulse[node] : Impulse::from_raw(0);
   }
   /// Velocity after the substep, without damping.
   [[nodiscard]] Acc<53> next(uint16_t node, Eigen::Index a) const {
