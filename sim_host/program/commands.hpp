@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "paper/table1.hpp"
 #include "scenario/scenario.hpp"
 
 namespace palpate::sim {
@@ -13,5 +14,13 @@ int run_scenario(Scenario scenario, const std::string& command);
 int describe_model(Scenario scenario, const std::string& firmware_image_path);
 /// `compare`.
 int compare_runs(const std::string& first, const std::string& second);
+
+struct Table1Request {
+  Table1Options options;
+  std::string out = "out/table1";
+  bool plots = true;
+};
+/// `table1`: the paper's Table 1, its curve and Figure 6, into a folder.
+int make_table1(const Table1Request& request);
 
 }  // namespace palpate::sim

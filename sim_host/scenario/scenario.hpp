@@ -14,9 +14,11 @@ struct SineParameters {
   int slow = 1;
 };
 
-/// cuboid-bend: one end turned until the bar's centre line is a circular arc, then rest.
+/// cuboid-bend: one end twisted about the bar's axis and turned until the bar's centre line is a circular
+/// arc, then rest.
 struct BendParameters {
   double angle_deg = 90.0;
+  double twist_deg = 0.0;
   double settle_damping_per_s = 30.0;
 };
 
