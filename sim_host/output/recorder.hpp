@@ -21,8 +21,8 @@ struct Recording {
   std::vector<std::array<double, 3>> tool_path_mm;
 };
 
-/// Writes force.csv, hash.csv and nodes.csv, and on request the series of .vtu files. `watch` sees every tick.
-/// Throws Interrupted on Ctrl-C.
+/// Writes force.csv, hash.csv and nodes.csv, and on request the series of .vtu files. `watch` sees every
+/// tick. Throws Interrupted on Ctrl-C.
 Recording record(Simulation& simulation, const Scenario& scenario, const RunFolder& folder,
                  const std::function<void(const Sample&)>& watch);
 

@@ -9,7 +9,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-Vector3d at(const std::vector<std::array<double, 3>>& points, uint32_t i) { return Vector3d(points[i].data()); }
+Vector3d at(const std::vector<std::array<double, 3>>& points, uint32_t i) {
+  return Vector3d(points[i].data());
+}
 
 /// The displacement of a body at any place of its rest shape.
 class Displacement {
@@ -17,7 +19,8 @@ class Displacement {
   explicit Displacement(const BodyFields& body) : body_(body) {
     for (const auto& tet : body.tets) {
       Eigen::Matrix3d edges;
-      for (int i = 0; i < 3; ++i) edges.col(i) = at(body.rest_mm, tet[static_cast<std::size_t>(i) + 1]) - at(body.rest_mm, tet[0]);
+      for (int i = 0; i < 3; ++i)
+        edges.col(i) = at(body.rest_mm, tet[static_cast<std::size_t>(i) + 1]) - at(body.rest_mm, tet[0]);
       inverse_.push_back(edges.inverse());
     }
   }
@@ -35,7 +38,8 @@ class Displacement {
  private:
   [[nodiscard]] Vector3d mean(const std::array<uint32_t, 4>& tet, const Vector4d& weight) const {
     Vector3d sum = Vector3d::Zero();
-    for (uint32_t i = 0; i < 4; ++i) sum += weight[i] * (at(body_.now_mm, tet[i]) - at(body_.rest_mm, tet[i]));
+    for (uint32_t i = 0; i < 4; ++i)
+      sum += weight[i] * (at(body_.now_mm, tet[i]) - at(body_.rest_mm, tet[i]));
     return sum;
   }
 

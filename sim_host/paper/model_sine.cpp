@@ -36,7 +36,8 @@ ModelTrace trace_model(const Scenario& scenario, reference::ElasticModel model) 
       mesh.rest[reference::node_nearest(mesh, in_body_frame(scenario.node_mm, scenario.model))];
   const Vector top = reference::upper_corner(mesh);
   const uint32_t end = reference::node_nearest(mesh, Vector(0, 0, top[2]));
-  const uint32_t ticks = scenario.ticks == Scenario::kAllTicks ? kTwoPeriods : static_cast<uint32_t>(scenario.ticks);
+  const uint32_t ticks =
+      scenario.ticks == Scenario::kAllTicks ? kTwoPeriods : static_cast<uint32_t>(scenario.ticks);
 
   ModelTrace trace;
   double farthest_m = 0.0;

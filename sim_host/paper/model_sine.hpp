@@ -3,8 +3,8 @@
 
 #include "output/chart.hpp"
 #include "reference/elastic_model.hpp"
-#include "simulation/body_fields.hpp"
 #include "scenario/scenario.hpp"
+#include "simulation/body_fields.hpp"
 
 namespace palpate::sim {
 

@@ -15,8 +15,8 @@ namespace palpate::sim {
 /// Prints a line of one piece of work; lines of several do not mix.
 void print_line(const std::string& line);
 
-/// work(item) of each item, in their order. The first exception ends it: no further item is started, and it is
-/// thrown here.
+/// work(item) of each item, in their order. The first exception ends it: no further item is started, and it
+/// is thrown here.
 template <class Item, class Work>
 auto in_parallel(const std::vector<Item>& items, Work&& work) {
   using Result = decltype(work(items.front()));

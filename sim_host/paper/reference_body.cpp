@@ -20,7 +20,8 @@ Vector half_size_m(const ModelParameters& model) {
 HeldMesh uniform_mesh(const Scenario& scenario) {
   const auto state = std::make_unique<State<Workstation>>();
   const Model model = compile_model(scenario.model);
-  if (start(*state, model) != Status::kDone) throw BadInput("the uniform mesh does not fit profile workstation");
+  if (start(*state, model) != Status::kDone)
+    throw BadInput("the uniform mesh does not fit profile workstation");
   return HeldMesh{reference::mesh_of(state->forest, scenario.model.edge_m),
                   reference::held_nodes(state->forest, model.held)};
 }

@@ -1,5 +1,5 @@
-// A scenario's body as the double-precision reference takes it. Reference positions are metres from the block's
-// centre, those of files are millimetres from its low corner.
+// A scenario's body as the double-precision reference takes it. Reference positions are metres from the
+// block's centre, those of files are millimetres from its low corner.
 #pragma once
 
 #include "reference/mesh.hpp"

@@ -46,8 +46,7 @@ StaticProblem bend_of(const Scenario& scenario, const HeldMesh& body) {
 RestSolution solve_rest(const Scenario& scenario) {
   const HeldMesh body = uniform_mesh(scenario);
   const bool is_bend = scenario.kind == ScenarioKind::kBend;
-  const uint32_t driven =
-      reference::node_nearest(body.mesh, in_body_frame(scenario.node_mm, scenario.model));
+  const uint32_t driven = reference::node_nearest(body.mesh, in_body_frame(scenario.node_mm, scenario.model));
   const StaticProblem problem =
       is_bend ? bend_of(scenario, body)
               : reference::driven_node_problem(body.mesh, materials_of(scenario.model)[0],
@@ -55,8 +54,8 @@ RestSolution solve_rest(const Scenario& scenario) {
                                                Vector(0, scenario.sine.amplitude_mm * 1e-3, 0));
   const reference::StaticSolution solution = reference::solve_static(problem);
   if (!solution.converged) {
-    throw std::runtime_error(
-        fmt::format("the reference finds no equilibrium of {} at level {}", scenario.name, scenario.model.level));
+    throw std::runtime_error(fmt::format("the reference finds no equilibrium of {} at level {}",
+                                         scenario.name, scenario.model.level));
   }
   RestSolution rest{fields_of(body.mesh, solution.x, scenario), {}, 0.0};
   for (const bool is_prescribed : problem.prescribed) rest.is_free.push_back(!is_prescribed);

@@ -11,7 +11,9 @@ using Forces = std::vector<std::array<double, 3>>;
 
 constexpr double kMilli = 1e3;
 
-double step_mn(const Forces& force_n, std::size_t k) { return kMilli * length(minus(force_n[k], force_n[k - 1])); }
+double step_mn(const Forces& force_n, std::size_t k) {
+  return kMilli * length(minus(force_n[k], force_n[k - 1]));
+}
 
 }  // namespace
 

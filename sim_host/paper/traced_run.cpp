@@ -100,7 +100,8 @@ double Trace::peak_n() const {
 }
 
 double Trace::mean_tets() const {
-  return std::accumulate(tets.begin(), tets.end(), 0.0) / static_cast<double>(std::max<std::size_t>(1, tets.size()));
+  return std::accumulate(tets.begin(), tets.end(), 0.0) /
+         static_cast<double>(std::max<std::size_t>(1, tets.size()));
 }
 
 Trace trace_run(const RunRequest& request, const std::filesystem::path& folder) {

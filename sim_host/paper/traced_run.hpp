@@ -13,8 +13,8 @@
 namespace palpate::sim {
 
 struct RunRequest {
-  std::string name;      // of its folder
-  std::string scenario;  // a built-in one
+  std::string name;                                             // of its folder
+  std::string scenario;                                         // a built-in one
   std::vector<std::pair<std::string, std::string>> parameters;  // keys and values of a scenario file
 };
 

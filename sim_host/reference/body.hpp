@@ -1,6 +1,6 @@
 // The core's tick in double precision: the same stages in the same order, exact polar rotations, no rounding
-// and no clamps. Stepped beside the core it shows what fixed point costs. With another elastic model it is what
-// the paper compares with.
+// and no clamps. Stepped beside the core it shows what fixed point costs. With another elastic model it is
+// what the paper compares with.
 #pragma once
 
 #include <array>

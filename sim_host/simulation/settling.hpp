@@ -21,7 +21,7 @@ class Settling {
   /// Before the first tick of the rest.
   void begin(State<Profile>& state) const { state.model.dynamics = dynamics_; }
   /// After each of its ticks.
-  void look(const State<Profile>& state) { rest_.look(state.forest, state.solve); }
+  void look(const State<Profile>& state) { rest_.look(state.forest, state.solve, state.driven.node); }
   [[nodiscard]] bool is_at_rest() const { return rest_.is_at_rest(); }
 
   [[nodiscard]] std::optional<std::string> failure(uint32_t ticks) const {

@@ -127,7 +127,8 @@ class SineSimulation final : public ToolSimulation<Profile> {
 template <class Profile>
 class BendSimulation final : public ToolSimulation<Profile> {
  public:
-  explicit BendSimulation(const Scenario& scenario) : ToolSimulation<Profile>(scenario), settling_(scenario) {}
+  explicit BendSimulation(const Scenario& scenario)
+      : ToolSimulation<Profile>(scenario), settling_(scenario) {}
 
   bool advance() override {
     State<Profile>& state = this->state();
@@ -138,7 +139,9 @@ class BendSimulation final : public ToolSimulation<Profile> {
     if (state.tick > kTurnTicks) settling_.look(state);
     return !settling_.is_at_rest() && state.tick < expected_ticks();
   }
-  [[nodiscard]] uint32_t expected_ticks() const override { return this->ticks_or(Settling<Profile>::kMostTicks); }
+  [[nodiscard]] uint32_t expected_ticks() const override {
+    return this->ticks_or(Settling<Profile>::kMostTicks);
+  }
   [[nodiscard]] std::optional<std::string> failure() const override {
     return settling_.failure(expected_ticks());
   }
