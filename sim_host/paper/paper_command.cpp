@@ -11,12 +11,13 @@ namespace palpate::sim {
 namespace {
 
 void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    throw BadInput(fmt::format("'{}' cannot be a folder: {}; choose another --out", folder.string(),
-                               error ? error.message() : "it is a file"));
+  namespace fs = std::filesystem;
+  if (fs::exists(folder) && !fs::is_directory(folder)) {
+    throw BadInput(fmt::format("'{}' is not a folder; choose another --out", folder.string()));
   }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw EnvironmentError(fmt::format("cannot write '{}': {}", folder.string(), error.message()));
 }
 
 std::string summary_of(const Requirements& requirements, const Experiment& experiment) {
