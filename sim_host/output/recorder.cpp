@@ -6,7 +6,6 @@
 
 #include "output/interrupt.hpp"
 #include "output/output_file.hpp"
-#include "output/progress.hpp"
 #include "output/projection.hpp"
 #include "output/vtu_series.hpp"
 #include "scenario/errors.hpp"
@@ -91,7 +90,8 @@ void keep_path(const std::array<double, 3>& tool_mm, std::vector<std::array<doub
 
 }  // namespace
 
-Recording record(Simulation& simulation, const Scenario& scenario, const RunFolder& folder) {
+Recording record(Simulation& simulation, const Scenario& scenario, const RunFolder& folder,
+                 const std::function<void(const Sample&)>& watch) {
   Recording recording;
   recording.at_peak = simulation.shape();
   ForceLog forces(folder.file("force.csv"), simulation.has_device());
@@ -101,7 +101,6 @@ Recording record(Simulation& simulation, const Scenario& scenario, const RunFold
     bodies.emplace(folder.temporary());
     bodies->add(simulation.fields(), 0);
   }
-  Progress progress(simulation.expected_ticks());
   const auto start = std::chrono::steady_clock::now();
   double farthest_mm = 0.0;
   for (bool goes_on = true; goes_on;) {
@@ -118,7 +117,7 @@ Recording record(Simulation& simulation, const Scenario& scenario, const RunFold
     keep_path(sample.tool_mm, recording.tool_path_mm);
     keep_peak(simulation, sample, farthest_mm, recording);
     recording.last = sample;
-    progress.show(sample.tick);
+    watch(sample);
     if (is_interrupted()) throw Interrupted();
   }
   recording.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "output/run_folder.hpp"
 #include "simulation/simulation.hpp"
@@ -20,9 +21,10 @@ struct Recording {
   std::vector<std::array<double, 3>> tool_path_mm;
 };
 
-/// Writes force.csv, hash.csv and nodes.csv, and on request the series of .vtu files. Throws Interrupted on
-/// Ctrl-C.
-Recording record(Simulation& simulation, const Scenario& scenario, const RunFolder& folder);
+/// Writes force.csv, hash.csv and nodes.csv, and on request the series of .vtu files. `watch` sees every
+/// tick. Throws Interrupted on Ctrl-C.
+Recording record(Simulation& simulation, const Scenario& scenario, const RunFolder& folder,
+                 const std::function<void(const Sample&)>& watch);
 
 /// summary.json, see docs: version, scenario, what came out, parameters.
 void write_summary(const Recording& recording, const Simulation& simulation, const Scenario& scenario,

@@ -172,7 +172,7 @@ const CLI::App* chosen_command(const CLI::App& app) {
   if (chosen.empty()) {
     const auto extras = app.remaining();
     throw BadInput(fmt::format(
-        "{}; the commands are compare, hil, model, run and table1, see palpate --help",
+        "{}; the commands are compare, hil, model, paper, run and table1, see palpate --help",
         extras.empty() ? "no command is given" : fmt::format("there is no command '{}'", extras[0])));
   }
   refuse_extras(*chosen[0]);
@@ -201,11 +201,22 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
   compare->footer("Example: palpate compare out/demo/host out/demo/target");
   compare->allow_extras();
 
+  CLI::App* paper =
+      app.add_subcommand("paper", "the paper's experiments, with a report of figures beside its own");
+  std::string report_folder = "out/paper";
+  bool is_quick = false;
+  paper->add_option("--out", report_folder, "folder to write; default out/paper")->option_text("FOLDER");
+  paper->add_flag("--quick", is_quick,
+                  "only a few ticks of each run: shows that it works, the figures mean nothing");
+  paper->footer("Example: palpate paper --out out/paper, then open out/paper/report.html");
+  paper->allow_extras();
+
   parse(app, argc, argv);
   const CLI::App* chosen = chosen_command(app);
   if (chosen == run.app()) return run_scenario(run.scenario(), "run");
   if (chosen == hil.app()) return run_scenario(hil.scenario(), "hil");
   if (chosen == table1.app()) return make_table1(table1.request());
+  if (chosen == paper) return run_paper(report_folder, is_quick);
   if (chosen == compare) return compare_runs(first, second);
   return describe_model(model.scenario(), image);
 }

@@ -12,6 +12,8 @@ namespace palpate::sim {
 int run_scenario(Scenario scenario, const std::string& command);
 /// `model`: prints what a scenario's model is, or writes it as C++ for the firmware when a path is given.
 int describe_model(Scenario scenario, const std::string& firmware_image_path);
+/// `paper`: the paper's experiments, with a report in the folder `out`; cut short if `is_quick`.
+int run_paper(const std::string& out, bool is_quick);
 /// `compare`.
 int compare_runs(const std::string& first, const std::string& second);
 

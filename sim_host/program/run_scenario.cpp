@@ -3,6 +3,7 @@
 
 #include "output/gnuplot.hpp"
 #include "output/plots.hpp"
+#include "output/progress.hpp"
 #include "output/recorder.hpp"
 #include "program/commands.hpp"
 #include "simulation/capacity.hpp"
@@ -18,6 +19,11 @@ void require_kind(const Scenario& scenario, const std::string& command) {
   throw BadInput(needs_device
                      ? fmt::format("'{}' needs the device: use palpate hil {}", scenario.name, scenario.name)
                      : fmt::format("'{}' has no device: use palpate run {}", scenario.name, scenario.name));
+}
+
+Recording record_with_progress(Simulation& simulation, const Scenario& scenario, const RunFolder& folder) {
+  Progress progress(simulation.expected_ticks());
+  return record(simulation, scenario, folder, [&](const Sample& sample) { progress.show(sample.tick); });
 }
 
 void print_result(const Recording& recording, const Simulation& simulation, const Scenario& scenario) {
@@ -50,7 +56,7 @@ int run_scenario(Scenario scenario, const std::string& command) {
   if (scenario.out.empty()) scenario.out = fmt::format("out/{}/{}", command, scenario.name);
   if (scenario.plots) require_gnuplot();
   RunFolder folder(scenario.out);
-  const Recording recording = record(*simulation, scenario, folder);
+  const Recording recording = record_with_progress(*simulation, scenario, folder);
   write_summary(recording, *simulation, scenario, folder.file("summary.json"));
   if (scenario.plots) draw_plots(recording, simulation->has_device(), folder);
   folder.commit();

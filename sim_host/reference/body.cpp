@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "reference/corotation.hpp"
 #include "reference/polar_rotation.hpp"
 
 namespace palpate::reference {
@@ -54,18 +53,28 @@ void ReferenceBody::update_grasp(const BodyInput& input) {
 }
 
 void ReferenceBody::update_rotations() {
+  if (parameters_.model != ElasticModel::kCorotation) return;
   for (uint32_t i = 0; i < elements_.size(); ++i) {
     rotation_[i] = polar_rotation(deformation_gradient(elements_[i], position_), rotation_[i]);
   }
 }
 
+ElementForces ReferenceBody::forces_of_element(uint32_t i) const {
+  const Element& element = elements_[i];
+  const Material& material = parameters_.materials[element.region];
+  const Matrix f = deformation_gradient(element, force_position_);
+  if (parameters_.model == ElasticModel::kCorotation) return forces_of(element, f, rotation_[i], material);
+  const Matrix p = stress_of(parameters_.model, f, material);
+  ElementForces force;
+  for (uint32_t k = 0; k < 4; ++k) force[k] = -element.volume * (p * element.gradient[k]);
+  return force;
+}
+
 void ReferenceBody::evaluate_forces() {
   for (Vector& force : force_) force.setZero();
   for (uint32_t i = 0; i < elements_.size(); ++i) {
-    const Element& element = elements_[i];
-    const Matrix f = deformation_gradient(element, force_position_);
-    const ElementForces part = forces_of(element, f, rotation_[i], parameters_.materials[element.region]);
-    for (uint32_t k = 0; k < 4; ++k) force_[element.node[k]] += part[k];
+    const ElementForces part = forces_of_element(i);
+    for (uint32_t k = 0; k < 4; ++k) force_[elements_[i].node[k]] += part[k];
   }
 }
 

@@ -1,11 +1,12 @@
 // The core's tick in double precision: the same stages in the same order, exact polar rotations, no rounding
-// and no clamps. Stepped beside the core it shows what fixed point costs.
+// and no clamps. Stepped beside the core it shows what fixed point costs. With another elastic model it is
+// what the paper compares with.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "reference/mesh.hpp"
+#include "reference/elastic_model.hpp"
 
 namespace palpate::reference {
 
@@ -20,6 +21,7 @@ struct BodyParameters {
   double mass_damping_per_s = 0;   // alpha_M
   double stiffness_damping_s = 0;  // beta_K
   double grasp_reach_m = 0;
+  ElasticModel model = ElasticModel::kCorotation;
 };
 
 struct BodyInput {
@@ -49,6 +51,7 @@ class ReferenceBody {
   void update_grasp(const BodyInput& input);
   void update_rotations();
   void evaluate_forces();
+  [[nodiscard]] ElementForces forces_of_element(uint32_t i) const;
   void integrate(const BodyInput& input, uint32_t remaining);
 
   std::vector<Element> elements_;

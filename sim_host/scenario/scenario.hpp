@@ -12,6 +12,7 @@ enum class ScenarioKind : uint8_t { kSine, kBend, kGrasp };
 struct SineParameters {
   double amplitude_mm = 50.0;
   int slow = 1;
+  bool rest_at_peak = false;  // the node stays at its first peak, and the body comes to rest
 };
 
 /// cuboid-bend: one end twisted about the bar's axis and turned until the bar's centre line is a circular
@@ -19,7 +20,6 @@ struct SineParameters {
 struct BendParameters {
   double angle_deg = 90.0;
   double twist_deg = 0.0;
-  double settle_damping_per_s = 30.0;
 };
 
 /// grasp: a PHANToM takes a corner of the free end and drags it sideways.
@@ -45,6 +45,7 @@ struct Scenario {
   GraspParameters grasp;
   std::array<double, 3> node_mm{};  // at rest, of the node that is driven, grasped or watched
   bool node_given = false;
+  double settle_damping_per_s = 30.0;  // while a body comes to rest
   int ticks = kAllTicks;
   int hash_every = 100;
   int vtu_every = 0;  // 0: never

@@ -26,12 +26,12 @@ class RestDetector {
         force_raw_(to_fixed<Force>(limits.force).raw()),
         from_(std::make_unique<std::array<Vector3<Position>, Profile::kNodes>>()) {}
 
-  /// After every tick.
-  void look(const Forest<Profile>& forest, const SolveState<Profile>& solve) {
+  /// After every tick. `driven`: a node that something else moves, or kNone.
+  void look(const Forest<Profile>& forest, const SolveState<Profile>& solve, uint16_t driven) {
     bool is_still = still_ticks_ > 0;
     for (uint32_t i = 0; i < forest.nodes.used() && is_still; ++i) {
       const uint16_t node = forest.nodes.live(i);
-      const bool is_free = solve.control[node] == NodeControl::kFree;
+      const bool is_free = solve.control[node] == NodeControl::kFree && node != driven;
       is_still =
           is_below(Vector3<Position>(forest.node.position[node] - (*from_)[node]), displacement_raw_) &&
           (!is_free || is_below(forest.node.force[node], force_raw_));

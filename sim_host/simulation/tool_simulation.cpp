@@ -3,7 +3,7 @@
 #include "simulation/arc.hpp"
 #include "simulation/body_reading.hpp"
 #include "simulation/read_fields.hpp"
-#include "simulation/rest_detector.hpp"
+#include "simulation/settling.hpp"
 #include "simulation/stage_clock.hpp"
 #include "simulation/with_profile.hpp"
 
@@ -85,68 +85,69 @@ class ToolSimulation : public Simulation {
 template <class Profile>
 class SineSimulation final : public ToolSimulation<Profile> {
  public:
-  explicit SineSimulation(const Scenario& scenario) : ToolSimulation<Profile>(scenario) {
+  explicit SineSimulation(const Scenario& scenario)
+      : ToolSimulation<Profile>(scenario),
+        settling_(scenario),
+        period_(kPeriodTicks * static_cast<uint32_t>(scenario.sine.slow)) {
     if (this->state().solve.control[this->watched()] != NodeControl::kFree) {
       throw BadInput("the driven node is on a held face: choose another node_mm or hold");
     }
   }
 
   bool advance() override {
-    const SineParameters& sine = this->scenario().sine;
-    const uint32_t k = this->state().tick;
-    const double degrees = 0.072 * k / sine.slow;
-    const double u_mm = sine.amplitude_mm * std::sin(degrees * kPi / 180.0);
-    TickInput input{rest_position(this->state().forest.node.rest[this->watched()]), true, still_holds()};
+    State<Profile>& state = this->state();
+    const bool rests = rests_at_peak() && state.tick >= period_ / 4;
+    const uint32_t k = rests ? period_ / 4 : state.tick;
+    if (rests && state.tick == k) settling_.begin(state);
+    const double degrees = 0.072 * k / this->scenario().sine.slow;
+    const double u_mm = this->scenario().sine.amplitude_mm * std::sin(degrees * kPi / 180.0);
+    TickInput input{rest_position(state.forest.node.rest[this->watched()]), true, still_holds()};
     // k = 0 is at rest, so the grasp closes without an offset.
     input.tool[1] += to_fixed<Position>(u_mm * 1e-3 / this->scenario().model.edge_m);
     this->tick_with(input);
-    return this->state().tick < expected_ticks();
+    if (rests) settling_.look(state);
+    return !settling_.is_at_rest() && state.tick < expected_ticks();
   }
   [[nodiscard]] uint32_t expected_ticks() const override {
-    constexpr uint32_t kTwoPeriods = 10000;
-    return this->ticks_or(kTwoPeriods * static_cast<uint32_t>(this->scenario().sine.slow));
+    return this->ticks_or(rests_at_peak() ? Settling<Profile>::kMostTicks : 2 * period_);
   }
+  [[nodiscard]] std::optional<std::string> failure() const override {
+    return rests_at_peak() ? settling_.failure(expected_ticks()) : std::nullopt;
+  }
+
+ private:
+  static constexpr uint32_t kPeriodTicks = 5000;
+
+  [[nodiscard]] bool rests_at_peak() const { return this->scenario().sine.rest_at_peak; }
+
+  Settling<Profile> settling_;
+  uint32_t period_;
 };
 
 template <class Profile>
 class BendSimulation final : public ToolSimulation<Profile> {
  public:
   explicit BendSimulation(const Scenario& scenario)
-      : ToolSimulation<Profile>(scenario),
-        settle_(settling_dynamics(scenario)),
-        rest_(limits_in_units(scenario.model)) {}
+      : ToolSimulation<Profile>(scenario), settling_(scenario) {}
 
   bool advance() override {
     State<Profile>& state = this->state();
-    if (state.tick == kTurnTicks) state.model.dynamics = settle_;
+    if (state.tick == kTurnTicks) settling_.begin(state);
     TickInput input{zero_vector<Position>(), false, still_holds()};
     input.hold_motion[1] = end_motion(this->scenario(), std::min(1.0, (state.tick + 1.0) / kTurnTicks));
     this->tick_with(input);
-    if (state.tick > kTurnTicks) rest_.look(state.forest, state.solve);
-    return !rest_.is_at_rest() && state.tick < expected_ticks();
+    if (state.tick > kTurnTicks) settling_.look(state);
+    return !settling_.is_at_rest() && state.tick < expected_ticks();
   }
-  [[nodiscard]] uint32_t expected_ticks() const override { return this->ticks_or(kMostTicks); }
+  [[nodiscard]] uint32_t expected_ticks() const override {
+    return this->ticks_or(Settling<Profile>::kMostTicks);
+  }
   [[nodiscard]] std::optional<std::string> failure() const override {
-    if (rest_.is_at_rest()) return std::nullopt;
-    return fmt::format(
-        "the bar did not come to rest within {} ticks; allow more ticks or more settle_damping_per_s",
-        expected_ticks());
+    return settling_.failure(expected_ticks());
   }
 
  private:
   static constexpr uint32_t kTurnTicks = 2000;
-  static constexpr uint32_t kMostTicks = 30000;
-
-  static Dynamics settling_dynamics(const Scenario& scenario) {
-    ModelParameters settling = scenario.model;
-    settling.mass_damping_per_s = scenario.bend.settle_damping_per_s;
-    return compile_model(settling).dynamics;
-  }
-  static RestLimits limits_in_units(const ModelParameters& model) {
-    constexpr double kStillM = 0.1e-6;
-    constexpr double kBalancedN = 0.005e-3;
-    return RestLimits{kStillM / model.edge_m, kBalancedN / newtons_per_unit(model)};
-  }
 
   /// Of the tissue on the turned end.
   [[nodiscard]] std::array<double, 3> force_in_units() const override {
@@ -161,8 +162,7 @@ class BendSimulation final : public ToolSimulation<Profile> {
     return sum;
   }
 
-  Dynamics settle_;
-  RestDetector<Profile> rest_;
+  Settling<Profile> settling_;
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST_P(BadFlag, IsRefusedWithOneLine) {
 }
 
 constexpr Case kFlags[] = {
-    {"NoCommand", "", "compare, hil, model and run"},
+    {"NoCommand", "", "compare, hil, model, paper and run"},
     {"UnknownCommand", "frobnicate", "there is no command 'frobnicate'"},
     {"UnknownScenario", "run cuboid", "choose cuboid-bend, cuboid-sine, grasp"},
     {"NoScenario", "run", "scenario is required"},
@@ -62,6 +62,8 @@ constexpr Case kFlags[] = {
      "a firmware image needs grasp"},
     {"EmptyPath", "run cuboid-sine --out ''", "a path"},
     {"OutIsNoFolder", "run cuboid-sine --out /dev/null", "is not a folder"},
+    {"PaperIntoAFile", "paper --quick --out /dev/null", "is not a folder"},
+    {"PaperUnknownFlag", "paper --quicker", "it takes --help, --out, --quick"},
     {"CompareOne", "compare a", "B is required"},
     {"CompareNoFolder", "compare a b", "'a' is not a folder"},
     {"CompareNoRun", "compare / /", "no run"},

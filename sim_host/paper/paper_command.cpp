@@ -1,0 +1,76 @@
+// `palpate paper`: the paper's experiments and a report on them.
+#include <fmt/format.h>
+
+#include "output/gnuplot.hpp"
+#include "paper/parallel.hpp"
+#include "paper/sections.hpp"
+#include "program/commands.hpp"
+#include "scenario/errors.hpp"
+
+namespace palpate::sim {
+namespace {
+
+void make_folder(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  if (fs::exists(folder) && !fs::is_directory(folder)) {
+    throw BadInput(fmt::format("'{}' is not a folder; choose another --out", folder.string()));
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw EnvironmentError(fmt::format("cannot write '{}': {}", folder.string(), error.message()));
+}
+
+std::string summary_of(const Requirements& requirements, const Experiment& experiment) {
+  if (experiment.is_quick)
+    return "In haste: every run was cut off after a few ticks, so no figure here means anything.";
+  const std::size_t all = requirements.all().size();
+  return fmt::format(
+      "The experiments of Tagawa, Yamada and Tanaka, run again with Palpate. {} of the {} requirements hold.",
+      all - requirements.failed(), all);
+}
+
+void print_requirements(const Requirements& requirements) {
+  for (const Requirement& one : requirements.all()) {
+    fmt::print("{:<6} {}\n         required: {}\n         measured: {}\n", one.holds ? "holds" : "FAILS",
+               one.what, one.required, one.measured);
+  }
+}
+
+void add_requirements_section(const Requirements& requirements, ReportPage& page) {
+  page.add_section("What must hold");
+  page.add_table(requirements.table());
+}
+
+}  // namespace
+
+int run_paper(const std::string& out, bool is_quick) {
+  require_gnuplot();
+  const Experiment experiment{out, is_quick};
+  make_folder(experiment.folder);
+  make_folder(experiment.runs());
+  print_line("Figure 7 and the smoothness of the force");
+  const PaperRuns runs = run_sines(experiment);
+  print_line("Which criterion refines the mesh");
+  const std::vector<LoadStudy> studies = study_criteria(experiment);
+  Requirements requirements;
+  require_smoothness(runs, requirements);
+
+  const std::string summary = summary_of(requirements, experiment);
+  ReportPage page("The paper's experiments, run again", summary);
+  if (!is_quick) add_requirements_section(requirements, page);
+  // Evaluation 1, Table 1 and Fig. 6, goes here: add_table1_sections(page, experiment.folder).
+  add_fig7_sections(runs, experiment, page);
+  add_smoothness_section(runs, experiment, page);
+  add_remesh_section(runs, experiment, page);
+  add_criterion_section(studies, experiment, page);
+  add_files_section(runs, page);
+  const std::filesystem::path report = experiment.folder / "report.html";
+  page.write(report);
+
+  fmt::print("\n");
+  if (!is_quick) print_requirements(requirements);
+  fmt::print("{}\n{}\nreport: {}\n", conclusion_of(studies), summary, report.string());
+  return !is_quick && requirements.failed() > 0 ? 1 : 0;
+}
+
+}  // namespace palpate::sim
