@@ -108,9 +108,13 @@ class MeshChanges {
     }
     const uint16_t middle = middle_of(forest_.leaf_of(forest_.child(patch.tet[0], 0)));
     body_.added(middle, ends);
-    if (body_.is_free(middle)) tethers_.add(Tether{middle, ends, patch.tet[0], kTetherTicks, TetherKind::kRelease});
+    if (body_.is_free(middle)) tether(middle, ends, patch.tet[0], TetherKind::kRelease);
     counters_.bisected += patch.count;
     changed_ = true;
+  }
+
+  void tether(uint16_t middle, const Ends& ends, uint16_t tet, TetherKind kind) {
+    tethers_.add(Tether{middle, {ends[0], ends[1]}, tet, kTetherTicks, kind, 0});
   }
 
   void advance_tethers() {
@@ -205,7 +209,7 @@ class MeshChanges {
     const Ends ends{first.node[0], second.node[end - 1]};
     if (tethers_.find(ends[0]) != Tethers<Profile>::kNobody) return;
     if (tethers_.find(ends[1]) != Tethers<Profile>::kNobody) return;
-    tethers_.add(Tether{middle, ends, patch.tet[0], kTetherTicks, TetherKind::kDraw});
+    tether(middle, ends, patch.tet[0], TetherKind::kDraw);
   }
 
   Forest<Profile>& forest_;
