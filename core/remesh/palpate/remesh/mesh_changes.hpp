@@ -59,17 +59,16 @@ class MeshChanges {
 
   void split_most_urgent() {
     MostUrgent<Profile> wanted;
-    uint32_t waiting = find_most_urgent(forest_, urgencies_, wanted);
+    waiting_ = find_most_urgent(forest_, urgencies_, wanted);
     uint32_t tets_left = Profile::kTetsSplit;
     for (const uint32_t i : bounded<Profile::kPatches>(wanted.count, [] {})) {
       const uint16_t tet = wanted.tet[i];
       if (!forest_.tet[tet].is_leaf) continue;  // split by an earlier patch
       urgencies_.split_at = static_cast<uint16_t>(forest_.tet[tet].link + 1);
       if (!split_towards(tet, tets_left)) break;
-      if (!forest_.tet[tet].is_leaf) --waiting;
     }
-    counters_.leaves_waiting = static_cast<uint16_t>(waiting);
-    if (waiting > 0 && flags_ == 0) flag(RemeshFlag::kPatchBudget);
+    counters_.leaves_waiting = static_cast<uint16_t>(waiting_);
+    if (waiting_ > 0 && flags_ == 0) flag(RemeshFlag::kPatchBudget);
   }
 
   /// Splits the patch of a leaf, or the coarser one in its way. False when nothing more can be split now.
@@ -103,6 +102,7 @@ class MeshChanges {
 
   void after_split(const Patch& patch, const Ends& ends) {
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      waiting_ -= urgencies_.of[patch.tet[i]] >= Urgency::kWanted ? 1u : 0u;
       urgencies_.of[forest_.child(patch.tet[i], 0)] = Urgency::kNeutral;
       urgencies_.of[forest_.child(patch.tet[i], 1)] = Urgency::kNeutral;
     }
@@ -220,6 +220,7 @@ class MeshChanges {
   uint16_t pinned_;
   Body& body_;
   RemeshCounters& counters_;
+  uint32_t waiting_ = 0;
   uint32_t flags_ = 0;
   bool changed_ = false;
 };
