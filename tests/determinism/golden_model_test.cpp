@@ -23,11 +23,11 @@ sim::ModelParameters parameters_in_si() {
   parameters.held = sim::HeldEnds::kOne;
   parameters.grasp_reach_m = 0.032;
   parameters.remesh.rotation = RotationCriterion::kMisfit;
-  parameters.remesh.rotation_split_deg = golden::kRotationSplitDegrees;
-  parameters.remesh.rotation_join_ratio = golden::kRotationJoinRatio;
+  parameters.remesh.rotation_split_deg = 1.5;
+  parameters.remesh.rotation_join_ratio = 0.85;
   parameters.remesh.stretch = StretchCriterion::kSixEdges;
-  parameters.remesh.stretch_split = golden::kStretchSplit;
-  parameters.remesh.stretch_merge_ratio = golden::kStretchMergeRatio;
+  parameters.remesh.stretch_split = 0.06;
+  parameters.remesh.stretch_merge_ratio = 0.5;
   return parameters;
 }
 

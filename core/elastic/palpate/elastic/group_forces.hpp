@@ -49,7 +49,9 @@ struct Observation {
   Matrix3<Strain> mean;
   MisfitSums misfit;
 
-  Observation() : mean(Matrix3<Strain>::Constant(Strain::from_raw(0))) {}
+  Observation() {
+    for (const uint32_t i : bounded<9>(9, [] {})) mean.data()[i] = Strain::from_raw(0);
+  }
   /// A leaf `depth` levels below the group's tet.
   void add(const Matrix3<Strain>& a, uint32_t path, uint32_t depth) {
     const int32_t half = static_cast<int32_t>((uint32_t{1} << depth) >> 1);

@@ -37,7 +37,7 @@ template <class Profile>
   patch.blocker = kNone;
   // First children keep vertex 0, and the edge's middle takes the place of its end in the first of them: further
   // bisections halve the piece between these two places or leave it as it is.
-  Patch around{};
+  Patch around;
   const uint16_t start = first_leaf(forest, tet);
   const MeshStatus walk = walk_around_edge(forest, start, refinement_end(type_of_level(level)), around,
                                            [](const Leaf&) { return true; });

@@ -10,8 +10,8 @@
 
 namespace palpate {
 
-/// A part of leaf_order or node_order.
-struct Span {
+/// A part of leaf_order or node_order. A whole word, so that a copy needs no call.
+struct alignas(uint32_t) Span {
   uint16_t begin;
   uint16_t count;
 };

@@ -59,17 +59,16 @@ class MeshChanges {
 
   void split_most_urgent() {
     MostUrgent<Profile> wanted;
-    uint32_t waiting = find_most_urgent(forest_, urgencies_, wanted);
+    waiting_ = find_most_urgent(forest_, urgencies_, wanted);
     uint32_t tets_left = Profile::kTetsSplit;
     for (const uint32_t i : bounded<Profile::kPatches>(wanted.count, [] {})) {
       const uint16_t tet = wanted.tet[i];
       if (!forest_.tet[tet].is_leaf) continue;  // split by an earlier patch
       urgencies_.split_at = static_cast<uint16_t>(forest_.tet[tet].link + 1);
       if (!split_towards(tet, tets_left)) break;
-      if (!forest_.tet[tet].is_leaf) --waiting;
     }
-    counters_.leaves_waiting = static_cast<uint16_t>(waiting);
-    if (waiting > 0 && flags_ == 0) flag(RemeshFlag::kPatchBudget);
+    counters_.leaves_waiting = static_cast<uint16_t>(waiting_);
+    if (waiting_ > 0 && flags_ == 0) flag(RemeshFlag::kPatchBudget);
   }
 
   /// Splits the patch of a leaf, or the coarser one in its way. False when nothing more can be split now.
@@ -103,14 +102,19 @@ class MeshChanges {
 
   void after_split(const Patch& patch, const Ends& ends) {
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      waiting_ -= urgencies_.of[patch.tet[i]] >= Urgency::kWanted ? 1u : 0u;
       urgencies_.of[forest_.child(patch.tet[i], 0)] = Urgency::kNeutral;
       urgencies_.of[forest_.child(patch.tet[i], 1)] = Urgency::kNeutral;
     }
     const uint16_t middle = middle_of(forest_.leaf_of(forest_.child(patch.tet[0], 0)));
     body_.added(middle, ends);
-    if (body_.is_free(middle)) tethers_.add(Tether{middle, ends, patch.tet[0], kTetherTicks, TetherKind::kRelease});
+    if (body_.is_free(middle)) tether(middle, ends, patch.tet[0], TetherKind::kRelease);
     counters_.bisected += patch.count;
     changed_ = true;
+  }
+
+  void tether(uint16_t middle, const Ends& ends, uint16_t tet, TetherKind kind) {
+    tethers_.add(Tether{middle, {ends[0], ends[1]}, tet, kTetherTicks, kind, 0});
   }
 
   void advance_tethers() {
@@ -205,7 +209,7 @@ class MeshChanges {
     const Ends ends{first.node[0], second.node[end - 1]};
     if (tethers_.find(ends[0]) != Tethers<Profile>::kNobody) return;
     if (tethers_.find(ends[1]) != Tethers<Profile>::kNobody) return;
-    tethers_.add(Tether{middle, ends, patch.tet[0], kTetherTicks, TetherKind::kDraw});
+    tether(middle, ends, patch.tet[0], TetherKind::kDraw);
   }
 
   Forest<Profile>& forest_;
@@ -216,6 +220,7 @@ class MeshChanges {
   uint16_t pinned_;
   Body& body_;
   RemeshCounters& counters_;
+  uint32_t waiting_ = 0;
   uint32_t flags_ = 0;
   bool changed_ = false;
 };

@@ -51,7 +51,7 @@ template <class Profile>
 uint8_t urgency_of(const Forest<Profile>& forest, const Leaf& leaf, const StretchRules& rules, uint16_t pinned,
                    uint8_t before) {
   using Urgency = Urgencies<Profile>;
-  const LevelRange levels = rules.levels[leaf.region];
+  const LevelRange& levels = rules.levels[leaf.region];
   const bool may_split = leaf.level < levels.most;
   if (touches(leaf, pinned)) return may_split ? Urgency::kMost : Urgency::kNeutral;
   if (leaf.level < levels.least) return Urgency::kMost;
