@@ -24,7 +24,7 @@ class Builder {
 
   void add_at_theta(Table1Part part, const Table1Column& column) {
     const char* criterion = part == Table1Part::kSiblings ? "siblings" : "misfit";
-    begin(fmt::format("the paper's theta {:g} deg, criterion {}", column.theta_deg, criterion));
+    begin(fmt::format("the paper's theta {:g} deg, criterion: {}", column.theta_deg, criterion));
     add(part, &column, runs_.run(criterion, column.theta_deg));
   }
   void add_at_count(const Table1Column& column) {

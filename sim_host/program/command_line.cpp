@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <deque>
+#include <optional>
 
 #include "program/commands.hpp"
 #include "scenario/parameter_table.hpp"
@@ -99,11 +100,11 @@ class Table1Command {
   [[nodiscard]] CLI::App* app() const { return command_; }
 
   [[nodiscard]] Table1Request request() const {
-    if (!angle_.empty() && !twist_.empty()) {
+    if (angle_ && twist_) {
       throw BadInput("table1 takes --angle or --twist, not both: the bar is bent or twisted");
     }
     Scenario scenario = built_in_scenario("cuboid-bend");
-    scenario.bend.angle_deg = twist_.empty() ? Table1Options{}.bend_deg : 0.0;
+    scenario.bend.angle_deg = twist_ ? 0.0 : Table1Options{}.bend_deg;
     scenario.out = Table1Request{}.out;
     set("angle", angle_, scenario);
     set("twist", twist_, scenario);
@@ -114,7 +115,7 @@ class Table1Command {
   }
 
  private:
-  void add_flag(const char* key, std::string& text) {
+  void add_flag(const char* key, std::optional<std::string>& text) {
     const Parameter& parameter = *find_parameter(key);
     command_
         ->add_option(fmt::format("--{}", key), text,
@@ -122,12 +123,12 @@ class Table1Command {
         ->type_name("VALUE")
         ->option_text(" ");
   }
-  static void set(const char* key, const std::string& text, Scenario& scenario) {
-    if (!text.empty()) set_parameter(scenario, *find_parameter(key), text, "");
+  static void set(const char* key, const std::optional<std::string>& text, Scenario& scenario) {
+    if (text) set_parameter(scenario, *find_parameter(key), *text, "");
   }
 
   CLI::App* command_;
-  std::string angle_, twist_, out_, plots_;  // options point here
+  std::optional<std::string> angle_, twist_, out_, plots_;  // options point here
   bool is_quick_ = false;
 };
 
