@@ -16,51 +16,66 @@ using Parameters = std::vector<std::pair<std::string, std::string>>;
 
 constexpr int kLeastLevel = 3;
 
-struct Load {
-  const char* name;
-  const char* scenario;
-  Parameters parameters;
-};
-
-/// Everything but the load, the criterion and its threshold.
-struct Depth {
-  int finest_level;
-  Parameters parameters;
-};
+Parameters joined(Parameters first, const Parameters& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
 
 struct Choice {
   const char* criterion;
   std::vector<const char*> thresholds;
 };
 
-std::vector<Load> loads() {
-  return {{"bend", "cuboid-bend", {}},
-          {"corner", "cuboid-sine", {{"rest_at_peak", "on"}}},
-          {"indentation", "cuboid-sine", {{"rest_at_peak", "on"}, {"hold", "both"}, {"amplitude_mm", "20"}}}};
+struct Load {
+  const char* name;
+  const char* scenario;
+  Parameters parameters;
+  std::vector<Choice> choices;
+};
+
+/// A mesh that may be refined so far, and the loads on it.
+struct Depth {
+  int finest_level;
+  Parameters parameters;
+  std::vector<Load> loads;
+};
+
+std::vector<Load> loads_with(const std::array<std::vector<Choice>, 3>& choices) {
+  return {{"bend", "cuboid-bend", {}, choices[0]},
+          {"corner", "cuboid-sine", {{"rest_at_peak", "on"}}, choices[1]},
+          {"indentation",
+           "cuboid-sine",
+           {{"rest_at_peak", "on"}, {"hold", "both"}, {"amplitude_mm", "20"}},
+           choices[2]}};
 }
 
-/// Level 9 needs the density of tissue to be stable, and moves ten times slower for it.
+/// Thresholds that end with a few hundred to most of the tets of the uniform mesh.
 std::vector<Depth> depths() {
+  const std::vector<Load> to_6 = loads_with({{{{"six-edges", {"0.05", "0.1", "0.15", "0.2"}},
+                                               {"longest-edge", {"0.002", "0.005", "0.01", "0.02"}},
+                                               {"strain-jump", {"0.1", "0.15", "0.2", "0.3"}}},
+                                              {{"six-edges", {"0.02", "0.03", "0.05", "0.1"}},
+                                               {"longest-edge", {"0.005", "0.01", "0.02", "0.05"}},
+                                               {"strain-jump", {"0.02", "0.03", "0.05", "0.1"}}},
+                                              {{"six-edges", {"0.02", "0.03", "0.05", "0.1"}},
+                                               {"longest-edge", {"0.005", "0.01", "0.02", "0.05"}},
+                                               {"strain-jump", {"0.02", "0.03", "0.05", "0.1"}}}}});
+  const std::vector<Load> to_9 = loads_with({{{{"six-edges", {"0.15", "0.2", "0.3"}},
+                                               {"longest-edge", {"0.01", "0.02", "0.05"}},
+                                               {"strain-jump", {"0.2", "0.25", "0.3"}}},
+                                              {{"six-edges", {"0.05", "0.07", "0.1"}},
+                                               {"longest-edge", {"0.02", "0.03", "0.05"}},
+                                               {"strain-jump", {"0.07", "0.1", "0.2"}}},
+                                              {{"six-edges", {"0.05", "0.07", "0.1"}},
+                                               {"longest-edge", {"0.02", "0.03", "0.05"}},
+                                               {"strain-jump", {"0.07", "0.1", "0.2"}}}}});
   const Parameters common = {{"profile", "workstation"}, {"theta", kPaperRowTheta}};
-  Parameters deep = common;
-  deep.insert(
-      deep.end(),
-      {{"density_kg_m3", "1000"}, {"substeps", "1"}, {"settle_damping_per_s", "3"}, {"ticks", "8000"}});
-  return {{6, common}, {9, deep}};
-}
-
-std::vector<Choice> choices(int finest_level) {
-  if (finest_level == 6) {
-    return {{"six-edges", {"0.02", "0.05", "0.1", "0.2"}},
-            {"longest-edge", {"0.01", "0.02", "0.05", "0.1"}},
-            {"strain-jump", {"0.05", "0.1", "0.2", "0.4"}}};
-  }
-  return {{"six-edges", {"0.1", "0.2"}}, {"longest-edge", {"0.05", "0.1"}}, {"strain-jump", {"0.2", "0.4"}}};
-}
-
-Parameters joined(Parameters first, const Parameters& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
+  // Level 9 needs the density of tissue to be stable, and moves ten times slower for it.
+  const Parameters light = joined(common, {{"ticks", "5000"}});
+  const Parameters heavy = joined(
+      common,
+      {{"density_kg_m3", "1000"}, {"substeps", "1"}, {"settle_damping_per_s", "3"}, {"ticks", "6000"}});
+  return {{6, light, to_6}, {9, heavy, to_9}};
 }
 
 struct Planned {
@@ -88,7 +103,7 @@ StudyCurve uniform_curve(const std::vector<RestSolution>& solutions) {
   for (std::size_t i = solutions.size(); i-- > 1;) {
     const auto tets = static_cast<uint32_t>(solutions[i].body.tets.size());
     curve.points.push_back({0.0, static_cast<double>(tets), tets,
-                            error_of(solutions[i].body, finest.body, finest.is_free), true, ""});
+                            error_of(solutions[i].body, finest.body, finest.is_free), 0.0, ""});
   }
   return curve;
 }
@@ -96,7 +111,7 @@ StudyCurve uniform_curve(const std::vector<RestSolution>& solutions) {
 std::vector<Planned> plan(const Experiment& experiment, const Load& load, const Depth& depth,
                           std::size_t study) {
   std::vector<Planned> all;
-  for (const Choice& choice : choices(depth.finest_level)) {
+  for (const Choice& choice : load.choices) {
     for (const char* threshold : choice.thresholds) {
       const Parameters mesh = {{"level", std::to_string(kLeastLevel)},
                                {"least_level", std::to_string(kLeastLevel)},
@@ -113,10 +128,15 @@ std::vector<Planned> plan(const Experiment& experiment, const Load& load, const 
   return all;
 }
 
-StudyPoint point_of(const Planned& planned, const Trace& trace, const RestSolution& finest) {
-  return {planned.threshold, trace.mean_tets(),
-          trace.tets.back(), error_of(trace.last, finest.body, finest.is_free),
-          !trace.failure,    command_of(planned.request)};
+StudyPoint run_point(const Experiment& experiment, const Planned& planned, const RestSolution& finest) {
+  const Trace trace = trace_run(planned.request, experiment.runs());
+  const RestSolution rest = solve_rest(scenario_of(planned.request), trace.last);
+  return {planned.threshold,
+          trace.mean_tets(),
+          trace.tets.back(),
+          error_of(rest.body, finest.body, finest.is_free),
+          error_of(trace.last, rest.body, rest.is_free).mean_mm,
+          command_of(planned.request)};
 }
 
 void add_point(LoadStudy& study, const std::string& criterion, const StudyPoint& point) {
@@ -142,7 +162,7 @@ std::vector<LoadStudy> study_criteria(const Experiment& experiment) {
   std::vector<Planned> planned;
   for (const Depth& depth : depths()) {
     if (experiment.is_quick && depth.finest_level > 6) continue;
-    for (const Load& load : loads()) {
+    for (const Load& load : depth.loads) {
       print_line(fmt::format("  {} at rest on uniform meshes up to level {}", load.name, depth.finest_level));
       const std::vector<RestSolution> solutions = solve_uniform(load, depth);
       const std::vector<Planned> runs = plan(experiment, load, depth, studies.size());
@@ -151,12 +171,10 @@ std::vector<LoadStudy> study_criteria(const Experiment& experiment) {
       finest.push_back(solutions.front());
     }
   }
-  std::vector<RunRequest> requests;
-  for (const Planned& one : planned) requests.push_back(one.request);
-  const std::vector<Trace> traces = trace_runs(requests, experiment.runs());
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    const std::size_t study = planned[i].study;
-    add_point(studies[study], planned[i].criterion, point_of(planned[i], traces[i], finest[study]));
+  const std::vector<StudyPoint> points =
+      in_parallel(planned, [&](const Planned& one) { return run_point(experiment, one, finest[one.study]); });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    add_point(studies[planned[i].study], planned[i].criterion, points[i]);
   }
   for (LoadStudy& study : studies) sort_by_tets(study);
   return studies;

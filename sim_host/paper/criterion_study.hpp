@@ -1,4 +1,5 @@
-// Which measure of stretch refines a mesh best: error at rest over the number of tets, for three loads.
+// Which measure of stretch refines a mesh best: the error of the
+// meshes it ends with over the number of tets, for three loads.
 #pragma once
 
 #include "paper/experiment.hpp"
@@ -10,8 +11,8 @@ struct StudyPoint {
   double threshold;  // 0 for a uniform mesh
   double mean_tets;  // over the run
   uint32_t tets;     // at its end
-  MeshError error;   // at rest, from the uniform mesh of the finest level
-  bool is_at_rest;
+  MeshError error;   // of the equilibrium on that mesh, from the one on the uniform mesh of the finest level
+  double off_mm;     // how far the run was from its own equilibrium in the end, mean
   std::string command;  // empty for a uniform mesh
 };
 
@@ -26,7 +27,8 @@ struct LoadStudy {
   std::vector<StudyCurve> curves;
 };
 
-/// Loads bend, corner and indentation with the finest level 6, then the same with 9.
+/// Loads bend, corner and indentation with the finest level 6, then the same with 9. A run gives the mesh;
+/// its error is that of the equilibrium on it, so that a run need not have come to rest completely.
 std::vector<LoadStudy> study_criteria(const Experiment& experiment);
 
 /// The mean error, mm, that a curve has at a mean number of tets, on straight lines between its points in

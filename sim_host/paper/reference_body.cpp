@@ -1,5 +1,6 @@
 #include "paper/reference_body.hpp"
 
+#include <cmath>
 #include <memory>
 
 #include "palpate/tick/profiles.hpp"
@@ -24,6 +25,27 @@ HeldMesh uniform_mesh(const Scenario& scenario) {
     throw BadInput("the uniform mesh does not fit profile workstation");
   return HeldMesh{reference::mesh_of(state->forest, scenario.model.edge_m),
                   reference::held_nodes(state->forest, model.held)};
+}
+
+HeldMesh mesh_of(const BodyFields& body, const Scenario& scenario) {
+  constexpr double kOnFaceM = 1e-9;
+  const Vector half = half_size_m(scenario.model);
+  Eigen::Index along = 0;
+  half.maxCoeff(&along);
+  HeldMesh result;
+  for (const auto& rest_mm : body.rest_mm) {
+    const Vector x = in_body_frame(rest_mm, scenario.model);
+    const bool on_first = std::abs(x[along] + half[along]) < kOnFaceM;
+    const bool on_second = std::abs(x[along] - half[along]) < kOnFaceM;
+    uint8_t held = 0;
+    if (on_first && scenario.model.held != HeldEnds::kNone) held = 1;
+    if (on_second && scenario.model.held == HeldEnds::kBoth) held = 2;
+    result.mesh.rest.push_back(x);
+    result.held.push_back(held);
+  }
+  result.mesh.tet = body.tets;
+  for (const int32_t region : body.region) result.mesh.region.push_back(static_cast<uint32_t>(region));
+  return result;
 }
 
 std::vector<reference::Material> materials_of(const ModelParameters& model) {

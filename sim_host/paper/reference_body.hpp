@@ -16,6 +16,9 @@ struct HeldMesh {
 /// The uniform mesh of the scenario's block at its level, up to that of profile workstation.
 HeldMesh uniform_mesh(const Scenario& scenario);
 
+/// The mesh of a body that was run, with the same ends held.
+HeldMesh mesh_of(const BodyFields& body, const Scenario& scenario);
+
 std::vector<reference::Material> materials_of(const ModelParameters& model);
 
 std::array<double, 3> in_file_frame(const reference::Vector& x, const ModelParameters& model);

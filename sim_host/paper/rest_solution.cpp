@@ -41,10 +41,7 @@ StaticProblem bend_of(const Scenario& scenario, const HeldMesh& body) {
   return problem;
 }
 
-}  // namespace
-
-RestSolution solve_rest(const Scenario& scenario) {
-  const HeldMesh body = uniform_mesh(scenario);
+RestSolution solve_on(const HeldMesh& body, const Scenario& scenario) {
   const bool is_bend = scenario.kind == ScenarioKind::kBend;
   const uint32_t driven = reference::node_nearest(body.mesh, in_body_frame(scenario.node_mm, scenario.model));
   const StaticProblem problem =
@@ -54,13 +51,21 @@ RestSolution solve_rest(const Scenario& scenario) {
                                                Vector(0, scenario.sine.amplitude_mm * 1e-3, 0));
   const reference::StaticSolution solution = reference::solve_static(problem);
   if (!solution.converged) {
-    throw std::runtime_error(fmt::format("the reference finds no equilibrium of {} at level {}",
-                                         scenario.name, scenario.model.level));
+    throw std::runtime_error(fmt::format("the reference finds no equilibrium of {} on {} tets", scenario.name,
+                                         body.mesh.tet.size()));
   }
   RestSolution rest{fields_of(body.mesh, solution.x, scenario), {}, 0.0};
   for (const bool is_prescribed : problem.prescribed) rest.is_free.push_back(!is_prescribed);
   if (!is_bend) rest.reaction_n = solution.force[driven].norm();
   return rest;
+}
+
+}  // namespace
+
+RestSolution solve_rest(const Scenario& scenario) { return solve_on(uniform_mesh(scenario), scenario); }
+
+RestSolution solve_rest(const Scenario& scenario, const BodyFields& body) {
+  return solve_on(mesh_of(body, scenario), scenario);
 }
 
 }  // namespace palpate::sim

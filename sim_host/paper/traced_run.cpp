@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 
 #include "output/plots.hpp"
@@ -121,17 +120,13 @@ Trace trace_run(const RunRequest& request, const std::filesystem::path& folder) 
   trace.totals = simulation->totals();
   trace.all_flags = recording.all_flags;
   trace.failure = simulation->failure();
+  print_line(
+      fmt::format("  {:<38} {:6} ticks {:6.1f} s", request.name, trace.force_n.size(), recording.duration_s));
   return trace;
 }
 
 std::vector<Trace> trace_runs(const std::vector<RunRequest>& requests, const std::filesystem::path& folder) {
-  return in_parallel(requests, [&](const RunRequest& request) {
-    const auto start = std::chrono::steady_clock::now();
-    Trace trace = trace_run(request, folder);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    print_line(fmt::format("  {:<34} {:6} ticks {:6.1f} s", request.name, trace.force_n.size(), seconds));
-    return trace;
-  });
+  return in_parallel(requests, [&](const RunRequest& request) { return trace_run(request, folder); });
 }
 
 }  // namespace palpate::sim

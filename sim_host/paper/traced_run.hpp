@@ -38,11 +38,10 @@ struct Trace {
   [[nodiscard]] double mean_tets() const;
 };
 
-/// Runs it into `folder`/name.
+/// Runs it into `folder`/name, with a line on standard output when it is done.
 Trace trace_run(const RunRequest& request, const std::filesystem::path& folder);
 
-/// The same for several, on as many threads as the machine has cores, with a line on standard output for each
-/// that is done. In the order of the requests.
+/// The same for several, on all cores, in the order of the requests.
 std::vector<Trace> trace_runs(const std::vector<RunRequest>& requests, const std::filesystem::path& folder);
 
 }  // namespace palpate::sim

@@ -62,7 +62,7 @@ TEST(MeshError, RefusesAMeshWithAHole) {
 }
 
 TEST(CriterionStudy, CurvesAreStraightInLogarithms) {
-  const auto point = [](double tets, double mm) { return sim::StudyPoint{0.1, tets, 0, {mm, mm}, true, ""}; };
+  const auto point = [](double tets, double mm) { return sim::StudyPoint{0.1, tets, 0, {mm, mm}, 0.0, ""}; };
   const sim::StudyCurve curve{"six-edges", {point(100, 1.0), point(400, 0.25), point(400, 0.25)}};
   EXPECT_NEAR(sim::error_at(curve, 200), 0.5, 1e-12);
   EXPECT_NEAR(sim::error_at(curve, 100), 1.0, 1e-12);
