@@ -75,7 +75,11 @@ class MeshChanges {
   bool split_towards(uint16_t tet, uint32_t& tets_left) {
     Patch patch{};
     const MeshStatus found = find_ready_patch(forest_, tet, patch);
-    if (found != MeshStatus::kDone) return true;
+    if (found != MeshStatus::kDone || !stays_within_levels(patch)) {
+      urgencies_.of[tet] = Urgency::kBarred;
+      --waiting_;
+      return true;
+    }
     const Ends ends = edge_of(forest_.leaf_of(patch.tet[0]));
     const bool tethered =
         tethers_.find(ends[0]) != Tethers<Profile>::kNobody || tethers_.find(ends[1]) != Tethers<Profile>::kNobody;
@@ -93,6 +97,16 @@ class MeshChanges {
     tets_left -= patch.count;
     after_split(patch, ends);
     return true;
+  }
+
+  /// Also a coarser patch in a leaf's way, perhaps of another region, must not pass its region's finest level.
+  [[nodiscard]] bool stays_within_levels(const Patch& patch) const {
+    bool stays = true;
+    for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      const Leaf& leaf = forest_.leaf_of(patch.tet[i]);
+      stays = stays && leaf.level < rules_.levels[leaf.region].most;
+    }
+    return stays;
   }
 
   bool refuse(RemeshFlag which) {

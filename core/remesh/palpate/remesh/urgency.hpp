@@ -13,7 +13,8 @@ template <class Profile>
 struct Urgencies {
   static constexpr uint8_t kCalm = 0;     // may be merged
   static constexpr uint8_t kNeutral = 1;  // as it should be, or not looked at yet
-  static constexpr uint8_t kWanted = 2;   // and more: wants to be split
+  static constexpr uint8_t kBarred = 2;   // wants to be split, but a level in its patch's way may not be passed
+  static constexpr uint8_t kWanted = 3;   // and more: wants to be split
   static constexpr uint8_t kMost = 255;
   static constexpr uint32_t kSlice = (Profile::kLeaves + kSweepTicks - 1) / kSweepTicks;
 
@@ -53,11 +54,13 @@ uint8_t urgency_of(const Forest<Profile>& forest, const Leaf& leaf, const Stretc
   using Urgency = Urgencies<Profile>;
   const LevelRange& levels = rules.levels[leaf.region];
   const bool may_split = leaf.level < levels.most;
-  if (touches(leaf, pinned)) return may_split ? Urgency::kMost : Urgency::kNeutral;
-  if (leaf.level < levels.least) return Urgency::kMost;
+  const uint8_t most = before == Urgency::kBarred ? Urgency::kWanted : Urgency::kMost;
+  if (touches(leaf, pinned)) return may_split ? most : Urgency::kNeutral;
+  if (leaf.level < levels.least) return most;
   const StretchMeasure stretch = stretch_measure(forest, leaf, rules.criterion);
   if (stretch < rules.merge_below) return leaf.level > levels.least ? Urgency::kCalm : Urgency::kNeutral;
   if (stretch <= rules.split_above || !may_split) return Urgency::kNeutral;
+  if (before == Urgency::kBarred) return Urgency::kWanted;  // behind all others
   const uint32_t excess = class_of(static_cast<uint32_t>(stretch.raw())) -
                           class_of(static_cast<uint32_t>(rules.split_above.raw()));
   const uint32_t fresh = Urgency::kWanted + excess;
