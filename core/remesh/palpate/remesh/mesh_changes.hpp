@@ -1,7 +1,7 @@
-// Changes of the simulation front in one tick. Every leaf has an urgency, renewed in slices: how much it wants to be
-// split. The most urgent leaves are split, each with its whole patch, coarser patches first; a leaf that has to wait
-// keeps its urgency, which grows with every renewal, so none starves. Calm patches are merged, after their middle
-// node was drawn to where its removal changes nothing.
+// Changes of the simulation front in one tick. Every leaf has an urgency, renewed in slices: how much it
+// wants to be split. The most urgent leaves are split, each with its whole patch, coarser patches first; a
+// leaf that has to wait keeps its urgency, which grows with every renewal, so none starves. Calm patches are
+// merged, after their middle node was drawn to where its removal changes nothing.
 //
 // `Body` is what the solver knows and does; a struct with
 //   bool is_free(node)                                       nothing else moves it
@@ -81,8 +81,8 @@ class MeshChanges {
       return true;
     }
     const Ends ends = edge_of(forest_.leaf_of(patch.tet[0]));
-    const bool tethered =
-        tethers_.find(ends[0]) != Tethers<Profile>::kNobody || tethers_.find(ends[1]) != Tethers<Profile>::kNobody;
+    const bool tethered = tethers_.find(ends[0]) != Tethers<Profile>::kNobody ||
+                          tethers_.find(ends[1]) != Tethers<Profile>::kNobody;
     if (tethered) return true;  // no edge is split at a slaved node
     if (patch.count > tets_left) return false;
     if (tethers_.is_full()) return refuse(RemeshFlag::kTethers);
@@ -99,7 +99,8 @@ class MeshChanges {
     return true;
   }
 
-  /// Also a coarser patch in a leaf's way, perhaps of another region, must not pass its region's finest level.
+  /// Also a coarser patch in a leaf's way, perhaps of another region, must not pass its region's finest
+  /// level.
   [[nodiscard]] bool stays_within_levels(const Patch& patch) const {
     bool stays = true;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
@@ -151,11 +152,12 @@ class MeshChanges {
     }
   }
 
-  /// Merges around a node that has been drawn. False, with the tether turned into a release, when the patch is no
-  /// longer calm; false and as it was when the budget is used up.
+  /// Merges around a node that has been drawn. False, with the tether turned into a release, when the patch
+  /// is no longer calm; false and as it was when the budget is used up.
   bool merge_at(Tether& tether, uint32_t& tets_left) {
     Patch patch{};
-    if (!find_patch_around(tether, patch) || !may_merge(patch, Urgency::kNeutral)) {
+    if (!find_patch_around(tether, patch) || !may_merge(patch, Urgency::kNeutral) ||
+        would_split_again(patch, tether.end)) {
       tether.kind = TetherKind::kRelease;
       tether.ticks_left = kTetherTicks;
       return false;
@@ -175,14 +177,15 @@ class MeshChanges {
 
   /// The parents around a tethered node; false when one of their children was split.
   [[nodiscard]] bool find_patch_around(const Tether& tether, Patch& patch) const {
-    if (!forest_.pairs.is_live(static_cast<uint16_t>(tether.tet >> 1)) || forest_.tet[tether.tet].is_leaf) return false;
+    if (!forest_.pairs.is_live(static_cast<uint16_t>(tether.tet >> 1)) || forest_.tet[tether.tet].is_leaf)
+      return false;
     const uint16_t child = forest_.child(tether.tet, 0);
     if (!forest_.tet[child].is_leaf || middle_of(forest_.leaf_of(child)) != tether.node) return false;
     return find_merge(forest_, child, patch) == MeshStatus::kDone;
   }
 
-  /// Whether no child of these parents is more urgent than that, holds the pinned node, or is a rotation tet: such a
-  /// merge waits until the rotation front has risen.
+  /// Whether no child of these parents is more urgent than that, holds the pinned node, or is a rotation tet:
+  /// such a merge waits until the rotation front has risen.
   [[nodiscard]] bool may_merge(const Patch& patch, uint8_t most_urgent) const {
     bool may = true;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
@@ -194,6 +197,14 @@ class MeshChanges {
       }
     }
     return may;
+  }
+
+  /// Whether the edge that a merge restores is too long at once. The halves of the six edges are edges of the
+  /// children, but of the longest ones no leaf has looked at this.
+  [[nodiscard]] bool would_split_again(const Patch& patch, const Ends& ends) const {
+    if (rules_.criterion != StretchCriterion::kLongestEdge) return false;
+    const uint32_t size = size_of_level(forest_.tet[patch.tet[0]].level);
+    return edge_stretch(forest_.node, ends[0], ends[1], size) > rules_.split_above;
   }
 
   /// Starts to draw the middle nodes of calm patches.
@@ -216,13 +227,15 @@ class MeshChanges {
     const uint16_t middle = middle_of(leaf);
     Patch patch{};
     if (tethers_.find(middle) != Tethers<Profile>::kNobody) return;
-    if (find_merge(forest_, leaf.tet, patch) != MeshStatus::kDone || !may_merge(patch, Urgency::kCalm)) return;
+    if (find_merge(forest_, leaf.tet, patch) != MeshStatus::kDone || !may_merge(patch, Urgency::kCalm))
+      return;
     const Leaf& first = forest_.leaf_of(forest_.child(patch.tet[0], 0));
     const Leaf& second = forest_.leaf_of(forest_.child(patch.tet[0], 1));
     const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(first.level - 1)));
     const Ends ends{first.node[0], second.node[end - 1]};
     if (tethers_.find(ends[0]) != Tethers<Profile>::kNobody) return;
     if (tethers_.find(ends[1]) != Tethers<Profile>::kNobody) return;
+    if (would_split_again(patch, ends)) return;
     tether(middle, ends, patch.tet[0], TetherKind::kDraw);
   }
 
