@@ -53,8 +53,8 @@ Quaternion between(const Quaternion& from, const Quaternion& to, RotationEntry f
   const auto entry = [fraction](RotationEntry a, RotationEntry b) {
     return a + narrow<RotationEntry>((b - a) * fraction);  // the short way, so |b - a| < 2
   };
-  return normalised(Quaternion{entry(from.w, goal.w), entry(from.x, goal.x), entry(from.y, goal.y),
-                               entry(from.z, goal.z)});
+  return normalised(
+      Quaternion{entry(from.w, goal.w), entry(from.x, goal.x), entry(from.y, goal.y), entry(from.z, goal.z)});
 }
 
 Q<4, 27> square_of_difference(const Quaternion& a, const Quaternion& b) {

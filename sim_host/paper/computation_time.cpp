@@ -10,7 +10,7 @@
 namespace palpate::sim {
 namespace {
 
-constexpr const char* kDoubleForces = "forces of L-FEM or NL-FEM, double";
+constexpr const char* kDoubleForces = "forces, double";
 
 /// Stages that are shown together: what costs next to nothing has no colour of its own.
 struct Group {
@@ -20,10 +20,10 @@ struct Group {
 
 const std::vector<Group>& groups() {
   static const std::vector<Group> all = {
-      {"rotation extraction", {CoreStage::kRotations}},
+      {"rotations", {CoreStage::kRotations}},
       {"re-mesh", {CoreStage::kRemesh}},
       {"forces", {CoreStage::kForces}},
-      {"integration, touch, reaction", {CoreStage::kIntegrate, CoreStage::kTouch, CoreStage::kReaction}}};
+      {"other stages", {CoreStage::kIntegrate, CoreStage::kTouch, CoreStage::kReaction}}};
   return all;
 }
 
@@ -59,22 +59,26 @@ std::vector<TickTime> collect_times(const Table1& table, const BarReference& bar
   times.push_back({"L-FEM", std::nullopt, {}, substeps * forces_ms(bar, ElasticModel::kLinear)});
   for (const Table1Row& row : table.rows) {
     if (row.part != Table1Part::kTheta) continue;
-    times.push_back(
-        {fmt::format("{:g}° ({})", row.run.theta_deg, row.run.rotation_tets), row, row.run.stage_ms, 0.0});
+    times.push_back({fmt::format("{:g}", row.run.theta_deg), row, row.run.stage_ms, 0.0});
   }
   times.push_back({"NL-FEM", std::nullopt, {}, substeps * forces_ms(bar, ElasticModel::kStVenantKirchhoff)});
   return times;
 }
 
+std::vector<double> shown_times_ms(const TickTime& time) {
+  std::vector<double> shown;
+  for (const Group& group : groups()) shown.push_back(group_ms(time, group));
+  return shown;
+}
+
 StackedBars time_chart(const std::vector<TickTime>& times, const std::string& file) {
-  StackedBars chart{file, "threshold (number of rotation tets)", "time of a tick, ms", {}, {}};
+  StackedBars chart{file, "threshold θ, degrees", "time of a tick, ms", {}, {}};
   for (const Group& group : groups()) chart.parts.push_back({group.title, {}});
   chart.parts.push_back({kDoubleForces, {}});
   for (const TickTime& time : times) {
     chart.bars.push_back(time.name);
-    for (std::size_t i = 0; i < groups().size(); ++i) {
-      chart.parts[i].values.push_back(group_ms(time, groups()[i]));
-    }
+    const std::vector<double> shown = shown_times_ms(time);
+    for (std::size_t i = 0; i < shown.size(); ++i) chart.parts[i].values.push_back(shown[i]);
     chart.parts.back().values.push_back(time.double_forces_ms);
   }
   return chart;

@@ -18,6 +18,9 @@ struct TickTime {
 /// substeps, in double precision, with the reference's plain code.
 std::vector<TickTime> collect_times(const Table1& table, const BarReference& bar, int substeps);
 
+/// Of the core's bars, the parts of the chart from below: rotations, re-mesh, forces, other stages.
+std::vector<double> shown_times_ms(const TickTime& time);
+
 StackedBars time_chart(const std::vector<TickTime>& times, const std::string& file);
 std::string time_csv(const std::vector<TickTime>& times);
 

@@ -41,7 +41,7 @@ ErrorCurve search_best_tets(const BarReference& bar, StatusLine& status) {
                                      reference::RotationSource::kMeanGradient);
   const std::vector<reference::FrontPoint> taken = reference::refine_worst_first(
       body, reference::Criterion::kRemainingRotation, reference::Closure::kNone, kSearchedCounts.back());
-  ErrorCurve curve{"searched", "best tets found by search", {}};
+  ErrorCurve curve{"searched", "searched", {}};
   for (const uint32_t count : kSearchedCounts) {
     if (is_interrupted()) throw Interrupted();
     status.show(fmt::format("{} tets", count));
@@ -56,10 +56,10 @@ ErrorCurve search_best_tets(const BarReference& bar, StatusLine& status) {
 
 std::vector<ErrorCurve> collect_curves(const Table1& table, const BarReference& bar, const BarRuns& runs,
                                        const ErrorCurve& searched) {
-  std::vector<ErrorCurve> curves = {online_curve(bar, runs, "misfit", "ours, fixed point"),
-                                    online_curve(bar, runs, "siblings", "ours, the paper's criterion")};
+  std::vector<ErrorCurve> curves = {online_curve(bar, runs, "misfit", "ours"),
+                                    online_curve(bar, runs, "siblings", "paper's criterion")};
   if (table.options.is_the_papers()) {
-    ErrorCurve paper{"paper", "the paper", {}};
+    ErrorCurve paper{"paper", "paper", {}};
     for (const Table1Column& column : published::kTable1) {
       paper.points.push_back(
           {column.rotation_tets, column.theta_deg, column.errors.average_mm, column.errors.maximum_mm});

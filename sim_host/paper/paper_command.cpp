@@ -45,10 +45,11 @@ void add_requirements_section(const Requirements& requirements, ReportPage& page
 
 void require_table1(const Table1& table, Requirements& requirements) {
   const std::vector<std::string> objections = find_objections(table);
-  requirements.add({"Table 1: rest, and the average error at the paper's numbers of rotation tets",
-                    "not above the paper's in any row",
-                    objections.empty() ? "below it in every row" : fmt::format("{}", fmt::join(objections, "; ")),
-                    objections.empty()});
+  requirements.add(
+      {"Table 1: rest, and the average error at the paper's numbers of rotation tets",
+       "not above the paper's in any row",
+       objections.empty() ? "below it in every row" : fmt::format("{}", fmt::join(objections, "; ")),
+       objections.empty()});
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace palpate::sim {
 namespace {
 
@@ -35,12 +37,19 @@ class Builder {
     begin("full corotation");
     add(Table1Part::kFull, nullptr, runs_.run("full", Scenario{}.model.remesh.rotation_split_deg));
   }
-  Table1 finish() { return std::move(table_); }
+  Table1 finish() {
+    const auto is_unsettled = [](const RestRun& run) { return run.failure.has_value(); };
+    table_.runs = runs_.all().size();
+    table_.unsettled_runs =
+        static_cast<std::size_t>(std::count_if(runs_.all().begin(), runs_.all().end(), is_unsettled));
+    return std::move(table_);
+  }
 
  private:
   void begin(const std::string& task) {
+    const std::size_t rows = table_.options.is_quick ? 2 : 3 * kTable1.size() + 1;
     status_.begin(
-        fmt::format("row {}, {}, {} runs so far", table_.rows.size() + 1, task, runs_.all().size()));
+        fmt::format("row {} of {}, {} (run {})", table_.rows.size() + 1, rows, task, runs_.all().size() + 1));
   }
   [[nodiscard]] Table1Model compare(const BarReference::Equilibrium& model) const {
     return Table1Model{bar_.distance(model.x, bar_.full().x), bar_.distance(model.x, bar_.nonlinear()),

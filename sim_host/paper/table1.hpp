@@ -45,6 +45,8 @@ struct Table1 {
   Table1Model linear, full;
   std::optional<double> stvk_volume_change;
   std::size_t free_nodes;
+  std::size_t runs,
+      unsettled_runs;  // those that did not come to rest are only in a row if it asks for their theta
 };
 
 /// Makes the runs that it needs.

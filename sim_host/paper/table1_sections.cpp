@@ -8,7 +8,7 @@
 namespace palpate::sim {
 namespace {
 
-Cell number(double value, Mark mark = Mark::kPlain) { return Cell{fmt::format("{:.4f}", value), mark}; }
+Cell number(double value, Mark mark = Mark::kPlain) { return Cell{fmt::format("{:.5f}", value), mark}; }
 Cell count(uint32_t value, Mark mark = Mark::kPlain) { return Cell{fmt::format("{}", value), mark}; }
 
 Mark mark_of(const Table1& table, const Table1Row& row) {
@@ -53,7 +53,7 @@ Table table_of(const Table1& table, Table1Part part, const std::string& caption)
                                count(row.run.rotation_tets),
                                number(row.error.mean_mm, mark_of(table, row)),
                                number(row.error.max_mm),
-                               {fmt::format("{:.5f}", row.error.min_mm)},
+                               number(row.error.min_mm),
                                row.stvk_error ? number(row.stvk_error->mean_mm) : Cell{"–"}};
     if (has_paper) add_paper_cells(cells, row.column);
     result.rows.push_back(cells);
@@ -61,39 +61,44 @@ Table table_of(const Table1& table, Table1Part part, const std::string& caption)
   return result;
 }
 
-void add_model(Table& table, const char* name, const Table1Model& model, const published::Errors* paper) {
-  std::vector<Cell> cells = {{name}};
-  for (const std::optional<Distance>& error : {std::optional(model.error), model.stvk_error}) {
-    for (const double value :
-         error ? std::array{error->mean_mm, error->max_mm, error->min_mm} : std::array{-1.0, -1.0, -1.0}) {
-      cells.push_back(value < 0.0 ? Cell{"–"} : Cell{fmt::format("{:.3f}", value), Mark::kOurs});
-    }
-  }
-  if (paper != nullptr) {
-    for (const double value : {paper->average_mm, paper->maximum_mm, paper->minimum_mm}) {
-      cells.push_back({fmt::format("{:.3f}", value), Mark::kPaper});
-    }
-  } else {
+void add_distance(std::vector<Cell>& cells, const std::optional<Distance>& error) {
+  if (!error) {
     cells.resize(cells.size() + 3, Cell{"–"});
+    return;
   }
-  table.rows.push_back(cells);
+  for (const double mm : {error->mean_mm, error->max_mm, error->min_mm}) {
+    cells.push_back({fmt::format("{:.3f}", mm), Mark::kOurs});
+  }
 }
 
 Table model_table(const Table1& table) {
   Table result{"The other models, in double precision: distances in mm from full corotation and from NL-FEM.",
-               {"model", "average", "maximum", "minimum", "from NL-FEM", "maximum", "minimum",
-                "paper: average", "maximum", "minimum"},
+               {"model", "average", "maximum", "minimum", "from NL-FEM", "maximum", "minimum"},
                {}};
-  add_model(result, "L-FEM", table.linear, table.options.is_the_papers() ? &published::kLinear : nullptr);
-  add_model(result, "full corotation", table.full, nullptr);
+  for (const auto& [name, model] :
+       {std::pair("L-FEM", table.linear), std::pair("full corotation", table.full)}) {
+    std::vector<Cell> cells = {{name}};
+    add_distance(cells, model.error);
+    add_distance(cells, model.stvk_error);
+    result.rows.push_back(cells);
+  }
+  if (!table.options.is_the_papers()) return result;
+  const published::Errors& paper = published::kLinear;
+  for (const char* name : {"paper: average", "maximum", "minimum"}) result.header.emplace_back(name);
+  for (const double mm : {paper.average_mm, paper.maximum_mm, paper.minimum_mm}) {
+    result.rows[0].push_back({fmt::format("{:.3f}", mm), Mark::kPaper});
+    result.rows[1].push_back({"–"});
+  }
   return result;
 }
 
 Chart curve_chart(const std::vector<ErrorCurve>& curves) {
-  Chart chart{"table1_curves.svg", {"rotation tets"}, {"average error, mm", true}, {}};
+  // Below, everything is at full corotation; above, nothing is but L-FEM.
+  constexpr Range kErrorMm{1e-5, 3.0};
+  Chart chart{"table1_curves.svg", {"rotation tets"}, {"average error, mm", true, kErrorMm}, {}};
   for (const ErrorCurve& curve : curves) {
-    const bool is_paper = curve.name == "paper";
-    Series series{curve.title, ChartPoints{}, is_paper ? SeriesStyle::kPoints : SeriesStyle::kLineAndPoints,
+    const bool is_line = curve.name == "misfit" || curve.name == "searched";
+    Series series{curve.title, ChartPoints{}, is_line ? SeriesStyle::kLineAndPoints : SeriesStyle::kPoints,
                   curve.name == "misfit"};
     for (const CurvePoint& point : curve.points) {
       std::get<ChartPoints>(series.data)
@@ -143,9 +148,45 @@ void add_error_section(ReportPage& page, const Table1Study& study) {
     caption +=
         " The search, in double precision, exchanges rotation tets as long as that lowers the error: near "
         "the best that "
-        "this many tets can do.";
+        "this many tets can do. Errors below 1e-5 mm are not shown.";
   }
   page.add_figures({{"table1_curves.svg", caption}});
+}
+
+Table time_table(const std::vector<TickTime>& times) {
+  Table table{
+      "Time of a tick, ms; L-FEM and NL-FEM: elastic forces only, in double precision.",
+      {"model", "θ, degrees", "rotation tets", "rotations", "re-mesh", "forces", "other stages", "together"},
+      {}};
+  for (const TickTime& time : times) {
+    std::vector<Cell> cells = {{time.row ? "ours" : time.name},
+                               {time.row ? fmt::format("{:g}", time.row->run.theta_deg) : "–"},
+                               {time.row ? fmt::format("{}", time.row->run.rotation_tets) : "–"}};
+    double sum = time.double_forces_ms;
+    for (const double ms : shown_times_ms(time)) {
+      cells.push_back({time.row ? fmt::format("{:.4f}", ms) : "–"});
+      sum += ms;
+    }
+    cells.push_back({fmt::format("{:.4f}", sum)});
+    table.rows.push_back(cells);
+  }
+  return table;
+}
+
+std::string describe_times(const Table1Study& study) {
+  return fmt::format(
+      "Time of a tick of 1 ms with {} substeps on the machine that made this page, one thread, by stage: the "
+      "median "
+      "over slices of {} ticks of the whole run. L-FEM and NL-FEM stand for the plain scalar evaluation of "
+      "all elastic "
+      "forces in double precision, {} times a tick, without integration. That is other arithmetic and other "
+      "code, so "
+      "these two bars tell the order of magnitude only: a PC does doubles at no extra cost, while the core's "
+      "fixed "
+      "point is made for controllers. In the core's own arithmetic, L-FEM would cost about what our leftmost "
+      "bar does "
+      "without its rotations and re-mesh.",
+      study.substeps, RestRun::kSliceTicks, study.substeps);
 }
 
 void add_figure6_section(ReportPage& page, const Table1Study& study) {
@@ -155,18 +196,10 @@ void add_figure6_section(ReportPage& page, const Table1Study& study) {
     figures.push_back({study.bodies[i].file + ".png", study.body_captions[i]});
   }
   page.add_figures(figures);
-  page.add_figures(
-      {{"fig6b.svg",
-        fmt::format(
-            "Time of a tick of 1 ms with {} substeps on the machine that made this page, one thread, by "
-            "stage: the "
-            "median over slices of {} ticks of the whole run. L-FEM and NL-FEM are the double-precision "
-            "reference's plain, scalar evaluation of all elastic forces, {} times a tick, without "
-            "integration: "
-            "another arithmetic and other code than the core's, so their height tells the order of magnitude "
-            "only. L-FEM in the core's own arithmetic would be the leftmost of our bars without rotation "
-            "extraction and re-mesh.",
-            study.substeps, RestRun::kSliceTicks, study.substeps)}});
+  page.add_figures({{"fig6b.svg", describe_times(study)}});
+  page.add_table(time_table(study.times));
+  page.add_paragraph(
+      fmt::format("The paper's re-mesh takes {:g} ms, on its own machine.", published::kRemeshMs));
 }
 
 }  // namespace

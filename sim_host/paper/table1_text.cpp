@@ -38,7 +38,7 @@ const char* heading(Table1Part part) {
 }
 
 std::string text_of(const Distance& error) {
-  return fmt::format("{:9.4f} {:9.4f} {:9.5f}", error.mean_mm, error.max_mm, error.min_mm);
+  return fmt::format("{:9.5f} {:9.5f} {:9.5f}", error.mean_mm, error.max_mm, error.min_mm);
 }
 
 std::string paper_text(uint32_t tets, const published::Errors& errors) {
@@ -120,7 +120,7 @@ std::string table1_text(const Table1& table) {
     text += line_of(table, row);
     before = &row;
   }
-  return text;
+  return text + fmt::format("{} runs, of which {} did not come to rest\n", table.runs, table.unsettled_runs);
 }
 
 }  // namespace palpate::sim

@@ -166,9 +166,10 @@ void FlowCheck::add_jump(Graph& graph, size_t node) {
   }
 }
 
-// A cycle is bounded when it passes a body whose loop is entered outside of it: in this function, or, where nested
-// loops share a total (palpate/numeric/bounded.hpp), in one that made the total. What is left of the cycles
-// without these bodies must be bounded in the same way: so an inner loop's fact never excuses an outer loop.
+// A cycle is bounded when it passes a body whose loop is entered outside of it: in this function, or, where
+// nested loops share a total (palpate/numeric/bounded.hpp), in one that made the total. What is left of the
+// cycles without these bodies must be bounded in the same way: so an inner loop's fact never excuses an outer
+// loop.
 void FlowCheck::examine_loops(const Graph& graph, const Nodes& nodes) {
   const std::vector<Instruction>& code = graph.function->code;
   const Cycles cycles(graph.successors, nodes);

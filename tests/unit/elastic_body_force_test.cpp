@@ -59,8 +59,8 @@ TEST(BodyForce, IsZeroAtRest) {
   }
 }
 
-/// Turned by any angle in steps that the extraction follows. Rounded positions are strains of some 2^(size - 27),
-/// which the bulk coefficient (5.5) and the sums at a node make some LSB of force.
+/// Turned by any angle in steps that the extraction follows. Rounded positions are strains of some 2^(size -
+/// 27), which the bulk coefficient (5.5) and the sums at a node make some LSB of force.
 TEST(BodyForce, IsNearlyZeroAfterARigidMotion) {
   Random random(81);
   for (const int level : {3, 5, 6}) {

@@ -1,8 +1,8 @@
-// The corotated force of one leaf in its group's frame, in the hot loop's form. With the leaf's signed axes as a
-// signed permutation S (tet_shape.hpp), B = S^T A S has the rows
+// The corotated force of one leaf in its group's frame, in the hot loop's form. With the leaf's signed axes
+// as a signed permutation S (tet_shape.hpp), B = S^T A S has the rows
 //   B_jk = s_j (g_k)[axis j] / h,
-// so axes are addresses and signs belong to rows; the isotropic law commutes with S, and row j of the stress gives
-// component axis j of all three edge forces.
+// so axes are addresses and signs belong to rows; the isotropic law commutes with S, and row j of the stress
+// gives component axis j of all three edge forces.
 #pragma once
 
 #include "palpate/elastic/element_force.hpp"
@@ -24,7 +24,8 @@ template <TetType kType>
 class LeafForce {
  public:
   LeafForce(Axes axes, uint8_t level)
-      : axes_{signed_axis(axes, 0), signed_axis(axes, 1), signed_axis(axes, 2)}, size_(size_of_level(level)) {}
+      : axes_{signed_axis(axes, 0), signed_axis(axes, 1), signed_axis(axes, 2)},
+        size_(size_of_level(level)) {}
 
   /// B from the positions of the four nodes in the group's frame.
   PALPATE_ALWAYS_INLINE void gather(const Vector3<Position>& w0, const Vector3<Position>& w1,
@@ -75,7 +76,8 @@ class LeafForce {
     b_(kRow, 2) = stretch(g3, at, clamped);
   }
 
-  [[nodiscard]] PALPATE_ALWAYS_INLINE Strain stretch(int32_t g, const SignedAxis& at, uint32_t& clamped) const {
+  [[nodiscard]] PALPATE_ALWAYS_INLINE Strain stretch(int32_t g, const SignedAxis& at,
+                                                     uint32_t& clamped) const {
     const int32_t limit = (int32_t{kStretchLimit} << Strain::kFractionBits) >> size_;
     const int32_t low = g < -limit ? -limit : g;
     const int32_t within = low > limit ? limit : low;
@@ -89,7 +91,9 @@ class LeafForce {
     const SignedAxis at = axes_[kRow];
     const uint32_t shift = 2u * size_ + static_cast<uint32_t>(kType) + 1u;
     const int32_t half = static_cast<int32_t>(uint32_t{1} << (shift - 1u));
-    const auto edge = [&](int k) { return Force::from_raw(at.apply((sigma(kRow, k).raw() + half) >> shift)); };
+    const auto edge = [&](int k) {
+      return Force::from_raw(at.apply((sigma(kRow, k).raw() + half) >> shift));
+    };
     const Force t1 = edge(0);
     const Force t2 = edge(1);
     const Force t3 = edge(2);

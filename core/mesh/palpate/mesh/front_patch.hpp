@@ -27,16 +27,16 @@ inline void add_once(FrontPatch& patch, uint16_t tet) {
 
 }  // namespace front_patch_detail
 
-/// The tets at the level of `tet`, an internal one, around its refinement edge. kNotReady when some of them lie
-/// below coarser tets of the front; those are left out. O(8 x levels).
+/// The tets at the level of `tet`, an internal one, around its refinement edge. kNotReady when some of them
+/// lie below coarser tets of the front; those are left out. O(8 x levels).
 template <class Profile>
 [[nodiscard]] MeshStatus find_front_patch(const Forest<Profile>& forest, const RotationFront<Profile>& front,
                                           uint16_t tet, FrontPatch& patch) {
   const uint8_t level = forest.tet[tet].level;
   patch.count = 0;
   patch.blocker = kNone;
-  // First children keep vertex 0, and the edge's middle takes the place of its end in the first of them: further
-  // bisections halve the piece between these two places or leave it as it is.
+  // First children keep vertex 0, and the edge's middle takes the place of its end in the first of them:
+  // further bisections halve the piece between these two places or leave it as it is.
   Patch around;
   const uint16_t start = first_leaf(forest, tet);
   const MeshStatus walk = walk_around_edge(forest, start, refinement_end(type_of_level(level)), around,

@@ -1,6 +1,6 @@
 // Tethers: what keeps a change of the mesh from being felt. A new node starts at the midpoint of its edge and
-// moves with it; its tether lets go over kTetherTicks. Before a node is merged, a tether draws it to the midpoint
-// over as many ticks. solve/tether_force.hpp makes the forces; here is the list.
+// moves with it; its tether lets go over kTetherTicks. Before a node is merged, a tether draws it to the
+// midpoint over as many ticks. solve/tether_force.hpp makes the forces; here is the list.
 #pragma once
 
 #include "palpate/mesh/forest.hpp"

@@ -1,5 +1,5 @@
-// Changes of the rotation front in one tick: pairs that have blended to their parent's rotation are joined, the
-// worst groups are split, calm pairs start to blend. A group sleeps while it blends.
+// Changes of the rotation front in one tick: pairs that have blended to their parent's rotation are joined,
+// the worst groups are split, calm pairs start to blend. A group sleeps while it blends.
 //
 // `Rotations` is what elasticity knows and does; a struct with
 //   uint32_t split_measure(group)             larger is worse
@@ -193,7 +193,8 @@ class RotationChanges {
     --budget_;
   }
 
-  /// All pairs whose parents are around one edge, or none. Where the front is coarser already, none is needed.
+  /// All pairs whose parents are around one edge, or none. Where the front is coarser already, none is
+  /// needed.
   void begin_patch(uint16_t parent) {
     FrontPatch patch{};
     (void)find_front_patch(forest_, front_, parent, patch);

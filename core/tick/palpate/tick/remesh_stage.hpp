@@ -43,7 +43,9 @@ struct GroupRotations {
  private:
   [[nodiscard]] bool by_siblings() const { return rules.criterion == RotationCriterion::kSiblings; }
   /// A group of a tet: the tet's own, one above it, or one of those below.
-  [[nodiscard]] uint16_t group_in(uint16_t tet) const { return forest.leaf_of(first_leaf(forest, tet)).group; }
+  [[nodiscard]] uint16_t group_in(uint16_t tet) const {
+    return forest.leaf_of(first_leaf(forest, tet)).group;
+  }
   [[nodiscard]] uint32_t difference(uint16_t a, uint16_t b) const {
     return static_cast<uint32_t>(square_of_difference(groups.extracted[a], groups.extracted[b]).raw());
   }
@@ -77,8 +79,8 @@ void change_fronts(State<Profile>& state) {
   bool changed = false;
   const RemeshRules& rules = state.model.remesh;
   GroupRotations<Profile> rotations{state.groups, state.front, state.forest, rules.rotation};
-  RotationChanges<Profile, GroupRotations<Profile>> rotation_changes(state.forest, state.front, rules.rotation,
-                                                                     rotations, state.remesh);
+  RotationChanges<Profile, GroupRotations<Profile>> rotation_changes(state.forest, state.front,
+                                                                     rules.rotation, rotations, state.remesh);
   state.waiting = rotation_changes.run(changed);
   SolvedNodes<Profile> nodes{state.forest, state.solve, state.model};
   MeshChanges<Profile, SolvedNodes<Profile>> mesh_changes(state.forest, state.front, state.tethers,
