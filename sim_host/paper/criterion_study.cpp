@@ -181,7 +181,7 @@ std::vector<LoadStudy> study_criteria(const Experiment& experiment) {
 }
 
 double error_at(const StudyCurve& curve, double tets) {
-  constexpr double kLeastMm = 1e-6;  // its logarithm exists
+  constexpr double kLeastMm = 1e-3;  // what is below is equally good
   constexpr double kWidestGap = 3.0;
   const auto& points = curve.points;
   if (points.empty() || tets < points.front().mean_tets) return std::numeric_limits<double>::infinity();
