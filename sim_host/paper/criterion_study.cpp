@@ -52,23 +52,23 @@ std::vector<Load> loads_with(const std::array<std::vector<Choice>, 3>& choices) 
 /// Thresholds that end with a few hundred to most of the tets of the uniform mesh.
 std::vector<Depth> depths() {
   const std::vector<Load> to_6 = loads_with({{{{"six-edges", {"0.05", "0.1", "0.15", "0.2"}},
-                                               {"longest-edge", {"0.002", "0.005", "0.01", "0.02"}},
+                                               {"longest-edge", {"0.004", "0.005", "0.006", "0.008"}},
                                                {"strain-jump", {"0.1", "0.15", "0.2", "0.3"}}},
-                                              {{"six-edges", {"0.02", "0.03", "0.05", "0.1"}},
+                                              {{"six-edges", {"0.02", "0.03", "0.04", "0.05"}},
+                                               {"longest-edge", {"0.003", "0.005", "0.007", "0.01"}},
+                                               {"strain-jump", {"0.02", "0.03", "0.04", "0.05"}}},
+                                              {{"six-edges", {"0.03", "0.04", "0.05", "0.1"}},
                                                {"longest-edge", {"0.005", "0.01", "0.02", "0.05"}},
-                                               {"strain-jump", {"0.02", "0.03", "0.05", "0.1"}}},
-                                              {{"six-edges", {"0.02", "0.03", "0.05", "0.1"}},
-                                               {"longest-edge", {"0.005", "0.01", "0.02", "0.05"}},
-                                               {"strain-jump", {"0.02", "0.03", "0.05", "0.1"}}}}});
-  const std::vector<Load> to_9 = loads_with({{{{"six-edges", {"0.15", "0.2", "0.3"}},
-                                               {"longest-edge", {"0.01", "0.02", "0.05"}},
+                                               {"strain-jump", {"0.03", "0.04", "0.05", "0.1"}}}}});
+  const std::vector<Load> to_9 = loads_with({{{{"six-edges", {"0.15", "0.2", "0.25"}},
+                                               {"longest-edge", {"0.025", "0.03", "0.04"}},
                                                {"strain-jump", {"0.2", "0.25", "0.3"}}},
                                               {{"six-edges", {"0.05", "0.07", "0.1"}},
-                                               {"longest-edge", {"0.02", "0.03", "0.05"}},
-                                               {"strain-jump", {"0.07", "0.1", "0.2"}}},
-                                              {{"six-edges", {"0.05", "0.07", "0.1"}},
-                                               {"longest-edge", {"0.02", "0.03", "0.05"}},
-                                               {"strain-jump", {"0.07", "0.1", "0.2"}}}}});
+                                               {"longest-edge", {"0.02", "0.025", "0.03"}},
+                                               {"strain-jump", {"0.05", "0.07", "0.1"}}},
+                                              {{"six-edges", {"0.03", "0.05", "0.1"}},
+                                               {"longest-edge", {"0.02", "0.025", "0.03"}},
+                                               {"strain-jump", {"0.04", "0.07", "0.1"}}}}});
   const Parameters common = {{"profile", "workstation"}, {"theta", kPaperRowTheta}};
   // Level 9 needs the density of tissue to be stable, and moves ten times slower for it.
   const Parameters light = joined(common, {{"ticks", "5000"}});
@@ -181,13 +181,15 @@ std::vector<LoadStudy> study_criteria(const Experiment& experiment) {
 }
 
 double error_at(const StudyCurve& curve, double tets) {
-  constexpr double kLeastMm = 1e-6;  // its logarithm exists
+  constexpr double kLeastMm = 1e-3;  // what is below is equally good
+  constexpr double kWidestGap = 3.0;
   const auto& points = curve.points;
   if (points.empty() || tets < points.front().mean_tets) return std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < points.size(); ++i) {
     const StudyPoint& a = points[i - 1];
     const StudyPoint& b = points[i];
-    if (tets > b.mean_tets || b.mean_tets <= a.mean_tets) continue;
+    if (tets >= b.mean_tets || b.mean_tets <= a.mean_tets) continue;
+    if (b.mean_tets > kWidestGap * a.mean_tets) return a.error.mean_mm;
     const double part = std::log(tets / a.mean_tets) / std::log(b.mean_tets / a.mean_tets);
     return std::exp((1.0 - part) * std::log(std::max(a.error.mean_mm, kLeastMm)) +
                     part * std::log(std::max(b.error.mean_mm, kLeastMm)));

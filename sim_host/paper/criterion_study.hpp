@@ -32,7 +32,8 @@ struct LoadStudy {
 std::vector<LoadStudy> study_criteria(const Experiment& experiment);
 
 /// The mean error, mm, that a curve has at a mean number of tets, on straight lines between its points in
-/// logarithms; infinite below its first point, that of its last point above.
+/// logarithms; infinite below its first point, that of its last point above, and
+/// that of the point before where the next one has over three times its tets.
 double error_at(const StudyCurve& curve, double tets);
 
 }  // namespace palpate::sim

@@ -2,6 +2,9 @@
 // implementation in double precision (static solutions on the same mesh).
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "output/gnuplot.hpp"
 #include "output/output_file.hpp"
 #include "output/projection.hpp"
@@ -45,6 +48,14 @@ double peak_mn(const Forces& force_n) {
   return peak;
 }
 
+/// Of the axis: a round number above all.
+double highest_mn(const std::vector<Curve>& curves) {
+  constexpr double kStep = 10.0;
+  double highest = 0.0;
+  for (const Curve& curve : curves) highest = std::max(highest, peak_mn(*curve.force_n));
+  return kStep * (std::floor(highest / kStep) + 1.0);
+}
+
 std::string distance_from(const Curve& curve, const Trace& full) {
   if (curve.trace == &full) return "–";
   const std::vector<bool> all(full.farthest.rest_mm.size(), true);
@@ -52,10 +63,9 @@ std::string distance_from(const Curve& curve, const Trace& full) {
 }
 
 Table peaks_table(const std::vector<Curve>& curves, const Trace& full) {
-  Table table{
-      "Peak of the force on the tool, and the shape at the peak, over all nodes.",
-      {"model", "rotation tets", "another code, mN", "here, mN", "mean distance from full corotation, mm"},
-      {}};
+  Table table{"Peak of the force on the tool, and the shape at the peak, mean over all nodes.",
+              {"model", "rotation tets", "independent, mN", "here, mN", "distance from full corotation, mm"},
+              {}};
   for (const Curve& curve : curves) {
     const std::string groups =
         curve.trace == nullptr ? "–" : fmt::format("{}", curve.trace->totals.rotation_tets.peak);
@@ -68,9 +78,9 @@ Table peaks_table(const std::vector<Curve>& curves, const Trace& full) {
   return table;
 }
 
-Chart chart_of(const std::string& file, const std::string& label, const std::vector<Curve>& curves,
-               double end_s, ChartPoints (*points_of)(const Curve&)) {
-  Chart chart{file, {"time, s", false, Range{0.0, end_s}}, {label}, {}};
+Chart chart_of(const std::string& file, const Axis& y, const std::vector<Curve>& curves, double end_s,
+               ChartPoints (*points_of)(const Curve&)) {
+  Chart chart{file, {"time, s", false, Range{0.0, end_s}}, y, {}};
   for (const Curve& curve : curves) {
     Series series{curve.title, points_of(curve)};
     series.is_main = curve.title == "full corotation";
@@ -98,10 +108,10 @@ void add_fig7_sections(const PaperRuns& runs, const Experiment& experiment, Repo
   const std::vector<Curve> curves = curves_of(runs);
   const double end_s = static_cast<double>(runs.corner.full.force_n.size()) * 1e-3;
   const std::string charts =
-      chart_script(chart_of("fig7a.svg", "middle of the free end, y, mm", curves, end_s,
+      chart_script(chart_of("fig7a.svg", Axis{"y of the free end's middle, mm"}, curves, end_s,
                             [](const Curve& curve) { return *curve.end_mm; })) +
       chart_script(
-          chart_of("fig7b.svg", "force, mN", curves, end_s,
+          chart_of("fig7b.svg", Axis{"force, mN", false, Range{0.0, highest_mn(curves)}}, curves, end_s,
                    [](const Curve& curve) { return magnitude_over_time(*curve.force_n, kPointEvery); })) +
       mesh_picture_script("fig7_shapes.svg",
                           {{"L-FEM", &runs.linear.farthest, false},

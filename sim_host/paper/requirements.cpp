@@ -10,7 +10,9 @@ std::size_t Requirements::failed() const {
 }
 
 Table Requirements::table() const {
-  Table table{"What must hold.", {"what", "required", "measured"}, {}};
+  Table table{"Over whole runs of two periods of the sine; the commands are in smoothness.csv.",
+              {"what", "required", "measured"},
+              {}};
   for (const Requirement& one : all_) {
     table.rows.push_back(
         {{one.what}, {one.required}, {one.measured, one.holds ? Mark::kHolds : Mark::kFails}});

@@ -21,26 +21,27 @@ struct Row {
 };
 
 std::vector<Row> rows_of(const SineRuns& runs) {
-  return {{"full corotation, nothing moves", &runs.full},
-          {"rotation front moves, fine", &runs.fine},
-          {"both fronts move, fine", &runs.fine_moving},
-          {"rotation front moves, on the chip", &runs.on_chip},
-          {"both fronts move, on the chip", &runs.on_chip_moving}};
+  return {{"nothing (full corotation)", &runs.full},
+          {"rotations, fine", &runs.fine},
+          {"both, fine", &runs.fine_moving},
+          {"rotations, on the chip", &runs.on_chip},
+          {"both, on the chip", &runs.on_chip_moving}};
 }
 
 std::string mn(double value) { return fmt::format("{:.3f}", value); }
 
 Table table_of(const SineRuns& runs) {
   Table table{
-      fmt::format("Driven node: {}. Largest change of the force from one tick to the next, and largest "
-                  "second difference, mN.",
-                  runs.what),
-      {"run", "peak force", "step, whole run", "after 0.3 s", "after 1 s", "second difference, whole run",
-       "after 1 s", "tets", "rotation tets"},
+      fmt::format(
+          "Driven node: {}. Largest change of the force from one tick to the next (step), and largest "
+          "second difference, mN, in the whole run and after the first second.",
+          runs.what),
+      {"what moves", "peak", "step", "after 0.3 s", "after 1 s", "2nd diff.", "after 1 s", "tets",
+       "rotation tets"},
       {}};
   const auto range = [](const std::vector<uint32_t>& values) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return *least == *most ? fmt::format("{}", *most) : fmt::format("{} to {}", *least, *most);
+    return *least == *most ? fmt::format("{}", *most) : fmt::format("{} - {}", *least, *most);
   };
   for (const Row& row : rows_of(runs)) {
     const auto& force = row.trace->force_n;
