@@ -136,8 +136,9 @@ void add_error_section(ReportPage& page, const Table1Study& study) {
   page.add_table(table_of(table, Table1Part::kCount, "At the paper's number of rotation tets, mm."));
   page.add_table(table_of(table, Table1Part::kTheta, "At the paper's θ, mm."));
   if (!table.options.is_quick) {
-    page.add_table(
-        table_of(table, Table1Part::kSiblings, "The paper's criterion in our core, at the paper's θ, mm."));
+    page.add_table(table_of(
+        table, Table1Part::kSiblings,
+        "The paper's criterion in our core, siblings compared and never joined, at the paper's θ, mm."));
     page.add_table(
         table_of(table, Table1Part::kFull, "Every tet with its own rotation: what fixed point costs, mm."));
   }
@@ -147,8 +148,8 @@ void add_error_section(ReportPage& page, const Table1Study& study) {
   if (!table.options.is_quick) {
     caption +=
         " The search, in double precision, exchanges rotation tets as long as that lowers the error: near "
-        "the best that "
-        "this many tets can do. Errors below 1e-5 mm are not shown.";
+        "the "
+        "best that so many tets can do. Errors below 1e-5 mm are not shown.";
   }
   page.add_figures({{"table1_curves.svg", caption}});
 }
