@@ -120,24 +120,21 @@ void add_error_section(ReportPage& page, const Table1Study& study) {
   page.add_section(fmt::format("Table 1: errors of displacement, bar {}", describe_pose(table.options)));
   page.add_paragraph(
       fmt::format("The fixed-point core holds one end of the bar, turns the other, and comes to rest: over "
-                  "500 ticks no node moves "
-                  "by more than 0.1 µm and no free node is out of balance by more than 0.005 mN. Errors are "
-                  "distances in mm of "
-                  "the {} free nodes from full corotation in double precision at the same pose.",
+                  "500 ticks no node moves by more than 0.1 µm and no free node is out of balance by more "
+                  "than 0.005 mN. Errors are distances in mm of the {} free nodes from full corotation in "
+                  "double precision at the same pose.",
                   table.free_nodes));
   page.add_paragraph(
       "Our criterion weighs a misfit by the volume that has it, the paper's does not, so the same θ stands "
-      "for different "
-      "meshes. Hence two tables: at the paper's θ, and at the largest number of rotation tets that some θ "
-      "reaches and "
-      "that is not above the paper's. There the average must not be above the paper's, and from 578 tets up "
-      "a quarter of "
-      "it is the goal.");
+      "for different meshes. Hence two tables: at the paper's θ, and at the largest number of rotation "
+      "tets that some θ reaches and that is not above the paper's. There the average must not be above the "
+      "paper's, and from 578 tets up a quarter of it is the goal.");
   page.add_table(table_of(table, Table1Part::kCount, "At the paper's number of rotation tets, mm."));
   page.add_table(table_of(table, Table1Part::kTheta, "At the paper's θ, mm."));
   if (!table.options.is_quick) {
-    page.add_table(
-        table_of(table, Table1Part::kSiblings, "The paper's criterion in our core, at the paper's θ, mm."));
+    page.add_table(table_of(
+        table, Table1Part::kSiblings,
+        "The paper's criterion in our core, siblings compared and never joined, at the paper's θ, mm."));
     page.add_table(
         table_of(table, Table1Part::kFull, "Every tet with its own rotation: what fixed point costs, mm."));
   }
@@ -147,8 +144,7 @@ void add_error_section(ReportPage& page, const Table1Study& study) {
   if (!table.options.is_quick) {
     caption +=
         " The search, in double precision, exchanges rotation tets as long as that lowers the error: near "
-        "the best that "
-        "this many tets can do. Errors below 1e-5 mm are not shown.";
+        "the best that so many tets can do. Errors below 1e-5 mm are not shown.";
   }
   page.add_figures({{"table1_curves.svg", caption}});
 }
@@ -175,17 +171,12 @@ Table time_table(const std::vector<TickTime>& times) {
 
 std::string describe_times(const Table1Study& study) {
   return fmt::format(
-      "Time of a tick of 1 ms with {} substeps on the machine that made this page, one thread, by stage: the "
-      "median "
-      "over slices of {} ticks of the whole run. L-FEM and NL-FEM stand for the plain scalar evaluation of "
-      "all elastic "
-      "forces in double precision, {} times a tick, without integration. That is other arithmetic and other "
-      "code, so "
-      "these two bars tell the order of magnitude only: a PC does doubles at no extra cost, while the core's "
-      "fixed "
-      "point is made for controllers. In the core's own arithmetic, L-FEM would cost about what our leftmost "
-      "bar does "
-      "without its rotations and re-mesh.",
+      "Time of a tick of 1 ms with {} substeps on the machine that made this page, one thread, by stage: "
+      "the median over slices of {} ticks of the whole run. L-FEM and NL-FEM stand for the plain scalar "
+      "evaluation of all elastic forces in double precision, {} times a tick, without integration. That is "
+      "other arithmetic and other code, so these two bars tell the order of magnitude only: a PC does "
+      "doubles at no extra cost, while the core's fixed point is made for controllers. In the core's own "
+      "arithmetic, L-FEM would cost about what our leftmost bar does without its rotations and re-mesh.",
       study.substeps, RestRun::kSliceTicks, study.substeps);
 }
 
