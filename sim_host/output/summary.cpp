@@ -1,7 +1,6 @@
 // summary.json.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "output/output_file.hpp"
@@ -13,15 +12,6 @@ namespace palpate::sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Host time, the only thing here that differs from run to run.
-Json stage_times(const Simulation& simulation, uint32_t ticks) {
-  Json times;
-  const std::vector<std::string> names = simulation.hash_names();
-  const std::vector<double> spent = simulation.stage_ms();
-  for (std::size_t i = 0; i < spent.size(); ++i) times[names[i]] = spent[i] / std::max(ticks, 1u);
-  return times;
-}
 
 Json parameters_of(const Scenario& scenario) {
   Json parameters;
@@ -89,7 +79,6 @@ void write_summary(const Recording& recording, const Simulation& simulation, con
   summary["flags"] = flag_names(recording.all_flags);
   summary["clamps"] = {
       {"speed", totals.clamps.speed}, {"position", totals.clamps.position}, {"strain", totals.clamps.strain}};
-  summary["host_ms_a_tick"] = stage_times(simulation, recording.last.tick);
   summary["failure"] = simulation.failure() ? Json(*simulation.failure()) : Json(nullptr);
   summary["parameters"] = parameters_of(scenario);
   const std::string text = summary.dump(2) + "\n";

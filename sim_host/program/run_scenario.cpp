@@ -26,6 +26,17 @@ Recording record_with_progress(Simulation& simulation, const Scenario& scenario,
   return record(simulation, scenario, folder, [&](const Sample& sample) { progress.show(sample.tick); });
 }
 
+/// Host time of a tick by stage.
+std::string stage_times(const Simulation& simulation, uint32_t ticks) {
+  const std::vector<std::string> names = simulation.hash_names();
+  const std::vector<double> spent = simulation.stage_ms();
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < spent.size(); ++i) {
+    parts.push_back(fmt::format("{} {:.1f}", names[i], 1e3 * spent[i] / ticks));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 void print_result(const Recording& recording, const Simulation& simulation, const Scenario& scenario) {
   const Totals totals = simulation.totals();
   fmt::print("{}: {} ticks in {:.1f} s ({:.2f} ms a tick)\n", scenario.name, recording.last.tick,
@@ -41,6 +52,7 @@ void print_result(const Recording& recording, const Simulation& simulation, cons
   fmt::print("  clamps      speed {}, position {}, strain {}\n", totals.clamps.speed, totals.clamps.position,
              totals.clamps.strain);
   fmt::print("  flags       {}\n", fmt::join(flag_names(recording.all_flags), ", "));
+  fmt::print("  time, us    {}\n", stage_times(simulation, recording.last.tick));
   fmt::print("  state hash  {:016x}\n", recording.state_hash);
   fmt::print("  written to  {}\n", scenario.out);
 }

@@ -57,18 +57,18 @@ class Compare : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Compare, EqualRuns) { expect("a b", 0, "equal: all 7 stages at all 3 hashed ticks"); }
+TEST_F(Compare, EqualRuns) { expect("a b", 0, "equal: all 8 stages at all 3 hashed ticks"); }
 
 TEST_F(Compare, NamesTheFirstTickAndStage) {
   change(3, 2);
-  change(2, 8);
-  change(2, 4);
+  change(2, 9);
+  change(2, 5);
   expect("a b", 1, "first difference: tick 40, stage forces");
 }
 
 TEST_F(Compare, ReadsATargetsConsole) {
   use_console(console_of_a() + "end\n");
-  expect("a target", 0, "equal: all 7 stages at all 3 hashed ticks");
+  expect("a target", 0, "equal: all 8 stages at all 3 hashed ticks");
   expect("target a", 0, "equal");
 }
 

@@ -68,10 +68,10 @@ TEST(RunFolder, HoldsWhatIsPromised) {
   EXPECT_EQ(
       forces[0],
       "tick,time_ms,tool_x_mm,tool_y_mm,tool_z_mm,displacement_x_mm,displacement_y_mm,displacement_z_mm,"
-      "force_x_N,force_y_N,force_z_N,motor_1_code,motor_2_code,motor_3_code,flags");
+      "force_x_N,force_y_N,force_z_N,motor_1_code,motor_2_code,motor_3_code,tets,rotation_tets,flags");
   const auto hashes = lines_of(read_text(folder / "nested/run/hash.csv"));
   ASSERT_EQ(hashes.size(), 4U);
-  EXPECT_EQ(hashes[0], "tick,kinematics,touch,rotations,forces,integrate,reaction,motor_codes,state");
+  EXPECT_EQ(hashes[0], "tick,kinematics,touch,remesh,rotations,forces,integrate,reaction,motor_codes,state");
   EXPECT_EQ(hashes[1].rfind("50,", 0), 0U);
   EXPECT_EQ(hashes[3].rfind("130,", 0), 0U);
   EXPECT_EQ(hashes[3].substr(hashes[3].size() - 16), summary["state_hash"]);
@@ -148,7 +148,9 @@ std::array<double, 3> node_at(const TemporaryFolder& folder, const std::string& 
 TEST(SlowRunFolder, SineReachesThePapersForce) {
   const TemporaryFolder folder;
   // The peak of the pull is at tick 3750; 1250 is the weaker push.
-  const Outcome outcome = run_program(folder, "run cuboid-sine --ticks 4000 --plots off --out run");
+  const Outcome outcome = run_program(folder,
+                                      "run cuboid-sine --rotations full --profile workstation "
+                                      "--ticks 4000 --plots off --out run");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto summary = summary_of(folder, "run");
   EXPECT_NEAR(summary["peak_force_N"].get<double>(), 49.9e-3, 0.1e-3);
