@@ -40,7 +40,9 @@ RotationMatrix rotation_matrix(const Quaternion& q) {
 Quaternion normalised(const Quaternion& q) {
   // 1/|q| = (1/sqrt(|q|^2 / 2)) sqrt(1/2), and |q|^2 / 2 is in the root's domain.
   constexpr RotationEntry kRootOfHalf = RotationEntry::ratio(7071067811865475, 10000000000000000);
-  const auto half_square = narrow<Q<0, 31>>(divide_by_power_of_two<1>(dot(q, q)));
+  constexpr auto kLeast = Q<0, 31>::ratio(1, 4);
+  const auto rounded = narrow<Q<0, 31>>(divide_by_power_of_two<1>(dot(q, q)));
+  const auto half_square = rounded < kLeast ? kLeast : rounded;
   const auto scale = narrow<RotationEntry>(reciprocal_square_root_normalised(half_square) * kRootOfHalf);
   return Quaternion{narrow<RotationEntry>(q.w * scale), narrow<RotationEntry>(q.x * scale),
                     narrow<RotationEntry>(q.y * scale), narrow<RotationEntry>(q.z * scale)};
@@ -53,8 +55,8 @@ Quaternion between(const Quaternion& from, const Quaternion& to, RotationEntry f
   const auto entry = [fraction](RotationEntry a, RotationEntry b) {
     return a + narrow<RotationEntry>((b - a) * fraction);  // the short way, so |b - a| < 2
   };
-  return normalised(Quaternion{entry(from.w, goal.w), entry(from.x, goal.x), entry(from.y, goal.y),
-                               entry(from.z, goal.z)});
+  return normalised(
+      Quaternion{entry(from.w, goal.w), entry(from.x, goal.x), entry(from.y, goal.y), entry(from.z, goal.z)});
 }
 
 Q<4, 27> square_of_difference(const Quaternion& a, const Quaternion& b) {

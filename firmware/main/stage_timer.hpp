@@ -21,7 +21,7 @@ class StageTimer {
  public:
   void begin_tick() {
     tick_start_ = port::read_cycle_counter();
-    this_tick_ = {};
+    for (const uint32_t stage : bounded<kStageCount>(kStageCount, [] {})) this_tick_[stage] = 0;
   }
   void enter(Stage stage) { starts_[index(stage)] = port::read_cycle_counter(); }
   /// A stage may run several times in a tick; its time is then the sum.

@@ -61,16 +61,18 @@ const RegionParameters& region_or_last(const ModelParameters& parameters, std::s
 /// 4 (1 - cos) is |R_m - R_n|_F^2; a root whose halves are this far apart has half of it as misfit.
 uint32_t compile_angle(double degrees, RotationCriterion criterion) {
   const double square = 4.0 * (1.0 - std::cos(degrees * kPi / 180.0));
-  return static_cast<uint32_t>(criterion == RotationCriterion::kSiblings ? to_fixed<Q<4, 27>>(square).raw()
-                                                                         : to_fixed_below<Misfit>(square / 2.0).raw());
+  return static_cast<uint32_t>(criterion == RotationCriterion::kSiblings
+                                   ? to_fixed<Q<4, 27>>(square).raw()
+                                   : to_fixed_below<Misfit>(square / 2.0).raw());
 }
 
 RotationRules compile_rotation_rules(const RemeshParameters& remesh) {
   // Full corotation splits whatever can be split and never joins.
   if (remesh.rotation == RotationCriterion::kFull) return RotationRules{remesh.rotation, 0, 0, 0};
-  return RotationRules{remesh.rotation, static_cast<uint8_t>(remesh.rotation_level),
-                       compile_angle(remesh.rotation_split_deg, remesh.rotation),
-                       compile_angle(remesh.rotation_join_ratio * remesh.rotation_split_deg, remesh.rotation)};
+  return RotationRules{
+      remesh.rotation, static_cast<uint8_t>(remesh.rotation_level),
+      compile_angle(remesh.rotation_split_deg, remesh.rotation),
+      compile_angle(remesh.rotation_join_ratio * remesh.rotation_split_deg, remesh.rotation)};
 }
 
 StretchRules compile_stretch_rules(const ModelParameters& parameters) {

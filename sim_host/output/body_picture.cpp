@@ -4,14 +4,11 @@
 
 #include <algorithm>
 
-#include "output/projection.hpp"
+#include "output/drawing.hpp"
 #include "palpate/tick/state.hpp"
 
 namespace palpate::sim {
 namespace {
-
-using Points = std::vector<Point3>;
-using Triangle = std::array<uint32_t, 3>;
 
 // From low x and high y: the grasped corner is in front, the drag goes to the left.
 constexpr Point3 kTowardsViewer = {-0.80, 0.45, 0.36};
@@ -19,12 +16,6 @@ constexpr Point3 kLight = {-0.60, 0.20, 0.77};
 // Colours of no displacement and of the largest one.
 constexpr std::array<double, 3> kStill = {250, 238, 225};
 constexpr std::array<double, 3> kFar = {196, 30, 50};
-
-Point3 normal(const Points& at, const Triangle& t) {
-  const Point3 n = cross(minus(at[t[1]], at[t[0]]), minus(at[t[2]], at[t[0]]));
-  const double size = std::max(length(n), 1e-12);
-  return {n[0] / size, n[1] / size, n[2] / size};
-}
 
 double displacement(const BodyShape& shape, uint32_t node) {
   return length(minus(shape.now_mm[node], shape.rest_mm[node]));
@@ -46,61 +37,6 @@ std::string colour_of(const BodyShape& shape, const Triangle& t, double largest)
   };
   return fmt::format("#{:02x}{:02x}{:02x}", channel(0), channel(1), channel(2));
 }
-
-/// A gnuplot script in the making: polygons in the order in which they cover each other.
-class Drawing {
- public:
-  void add_polygon(const Points& corners, const std::string& style) {
-    text_ += "set object polygon from ";
-    for (const Point3& p : corners) text_ += fmt::format("{},{} to ", x(p), y(p));
-    text_ += fmt::format("{},{} {}\n", x(corners[0]), y(corners[0]), style);
-  }
-  void add_line(const char* name, const Points& points) {
-    constexpr std::size_t kPoints = 500;
-    const std::size_t stride = std::max<std::size_t>(1, points.size() / kPoints);
-    text_ += fmt::format("${} << EOD\n", name);
-    for (std::size_t i = 0; i < points.size(); i += stride)
-      text_ += fmt::format("{} {}\n", x(points[i]), y(points[i]));
-    text_ += "EOD\n";
-  }
-  /// Triangles that face the viewer, the nearest last.
-  [[nodiscard]] std::vector<Triangle> visible(const BodyShape& shape, const Points& at) const {
-    std::vector<Triangle> front;
-    for (const Triangle& t : shape.triangles) {
-      if (projection_.nearness(normal(at, t)) > 0.0) front.push_back(t);
-    }
-    const auto nearness = [&](const Triangle& t) {
-      return projection_.nearness(at[t[0]]) + projection_.nearness(at[t[1]]) + projection_.nearness(at[t[2]]);
-    };
-    std::stable_sort(front.begin(), front.end(),
-                     [&](const Triangle& a, const Triangle& b) { return nearness(a) < nearness(b); });
-    return front;
-  }
-  [[nodiscard]] std::string script() const {
-    constexpr double kMargin = 6.0;
-    return fmt::format("set xrange [{:.2f}:{:.2f}]\nset yrange [{:.2f}:{:.2f}]\n", left_ - kMargin,
-                       right_ + kMargin, bottom_ - kMargin, top_ + kMargin) +
-           text_;
-  }
-
- private:
-  std::string x(const Point3& p) {
-    const double at = projection_.right(p);
-    left_ = std::min(left_, at);
-    right_ = std::max(right_, at);
-    return fmt::format("{:.2f}", at);
-  }
-  std::string y(const Point3& p) {
-    const double at = projection_.up(p);
-    bottom_ = std::min(bottom_, at);
-    top_ = std::max(top_, at);
-    return fmt::format("{:.2f}", at);
-  }
-
-  Projection projection_{kTowardsViewer};
-  std::string text_;
-  double left_ = 1e9, right_ = -1e9, bottom_ = 1e9, top_ = -1e9;
-};
 
 /// The table that the body stands on, if its lowest nodes have not moved.
 void draw_table(const BodyShape& shape, Drawing& drawing) {
@@ -125,11 +61,13 @@ void draw_table(const BodyShape& shape, Drawing& drawing) {
 }
 
 void draw_surfaces(const BodyShape& shape, double largest, Drawing& drawing) {
-  for (const Triangle& t : drawing.visible(shape, shape.rest_mm)) {
+  for (const std::size_t i : drawing.visible(shape, shape.rest_mm)) {
+    const Triangle& t = shape.triangles[i];
     drawing.add_polygon({shape.rest_mm[t[0]], shape.rest_mm[t[1]], shape.rest_mm[t[2]]},
                         "fc rgb '#eef2f6' fs transparent solid 0.55 border rgb '#ccd5de' lw 0.4");
   }
-  for (const Triangle& t : drawing.visible(shape, shape.now_mm)) {
+  for (const std::size_t i : drawing.visible(shape, shape.now_mm)) {
+    const Triangle& t = shape.triangles[i];
     drawing.add_polygon(
         {shape.now_mm[t[0]], shape.now_mm[t[1]], shape.now_mm[t[2]]},
         fmt::format("fc rgb '{}' fs solid 1.0 border rgb '#7d4a42' lw 0.5", colour_of(shape, t, largest)));
@@ -162,7 +100,7 @@ std::string body_picture_script(const Recording& recording) {
   const BodyShape& shape = recording.at_peak;
   const bool has_tool = (recording.all_flags & static_cast<uint32_t>(TickFlag::kGrasping)) != 0;
   const double largest = largest_displacement(shape);
-  Drawing drawing;
+  Drawing drawing(kTowardsViewer);
   draw_table(shape, drawing);
   draw_surfaces(shape, largest, drawing);
   if (has_tool) {

@@ -15,30 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_run_file(const std::string& name) {
-  static const std::vector<std::string> names = {
-      "summary.json", "force.csv",       "hash.csv",         "nodes.csv",        "force.svg",     "body.png",
-      "body.svg",     "motor_codes.svg", "displacement.svg", VtuSeries::kFolder, VtuSeries::kList};
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-void require_only(const fs::path& path, bool (*is_written_by_a_run)(const std::string& name)) {
+template <class IsWritten>
+void require_only(const fs::path& path, IsWritten is_written_by_a_run) {
   for (const auto& entry : fs::directory_iterator(path)) {
     const std::string name = entry.path().filename().string();
     if (is_written_by_a_run(name)) continue;
     throw BadInput(fmt::format("'{}' holds '{}', which no run writes; choose another --out, or empty it",
                                path.string(), name));
   }
-}
-
-/// Only what a run wrote may be replaced by a run.
-void require_replaceable(const fs::path& path) {
-  if (!fs::exists(fs::symlink_status(path))) return;
-  if (!fs::is_directory(path))
-    throw BadInput(fmt::format("'{}' is not a folder; choose another --out", path.string()));
-  require_only(path, is_run_file);
-  const fs::path bodies = path / VtuSeries::kFolder;
-  if (fs::is_directory(bodies)) require_only(bodies, VtuSeries::is_file_name);
 }
 
 fs::path without_trailing_slash(const fs::path& path) {
@@ -52,7 +36,15 @@ fs::path without_trailing_slash(const fs::path& path) {
 
 }  // namespace
 
-RunFolder::RunFolder(const fs::path& path) : path_(path) {
+const std::vector<std::string>& RunFolder::run_files() {
+  static const std::vector<std::string> names = {
+      "summary.json", "force.csv",       "hash.csv",         "nodes.csv",        "force.svg",     "body.png",
+      "body.svg",     "motor_codes.svg", "displacement.svg", VtuSeries::kFolder, VtuSeries::kList};
+  return names;
+}
+
+RunFolder::RunFolder(const fs::path& path, std::vector<std::string> files)
+    : path_(path), files_(std::move(files)) {
   try {
     const fs::path absolute = without_trailing_slash(path);
     require_replaceable(absolute);
@@ -76,6 +68,18 @@ RunFolder::~RunFolder() {
   fs::remove_all(temporary_, ignored);
   // Removes empty folders only: another run may have used them meanwhile.
   for (auto at = created_parents_.rbegin(); at != created_parents_.rend(); ++at) fs::remove(*at, ignored);
+}
+
+/// Only what a run wrote may be replaced by a run.
+void RunFolder::require_replaceable(const fs::path& path) const {
+  if (!fs::exists(fs::symlink_status(path))) return;
+  if (!fs::is_directory(path))
+    throw BadInput(fmt::format("'{}' is not a folder; choose another --out", path.string()));
+  require_only(path, [this](const std::string& name) {
+    return std::find(files_.begin(), files_.end(), name) != files_.end();
+  });
+  const fs::path bodies = path / VtuSeries::kFolder;
+  if (fs::is_directory(bodies)) require_only(bodies, VtuSeries::is_file_name);
 }
 
 void RunFolder::commit() {

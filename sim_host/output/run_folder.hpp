@@ -4,15 +4,19 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace palpate::sim {
 
 class RunFolder {
  public:
-  /// Creates the temporary folder. Throws BadInput when `path` holds something that is not a run,
-  /// EnvironmentError when it cannot be written.
-  explicit RunFolder(const std::filesystem::path& path);
+  /// What a run of a scenario writes.
+  static const std::vector<std::string>& run_files();
+
+  /// Creates the temporary folder. Throws BadInput when `path` holds something that is none of `files`, and
+  /// thus no older run, EnvironmentError when it cannot be written.
+  explicit RunFolder(const std::filesystem::path& path, std::vector<std::string> files = run_files());
   RunFolder(const RunFolder&) = delete;
   RunFolder(RunFolder&&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
@@ -29,7 +33,10 @@ class RunFolder {
   void commit();
 
  private:
+  void require_replaceable(const std::filesystem::path& path) const;
+
   std::filesystem::path path_;
+  std::vector<std::string> files_;
   std::filesystem::path temporary_;
   std::vector<std::filesystem::path> created_parents_;  // outermost first
   bool committed_ = false;

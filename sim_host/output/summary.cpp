@@ -30,7 +30,8 @@ Json parameters_of(const Scenario& scenario) {
     if (belongs && !parameter.is_output) parameters[parameter.key] = parameter_value(parameter, scenario);
   }
   if (scenario.model.regions.size() > 1) {
-    for (const char* key : {"youngs_modulus_pa", "poisson_ratio", "density_kg_m3", "least_level", "most_level"}) {
+    for (const char* key :
+         {"youngs_modulus_pa", "poisson_ratio", "density_kg_m3", "least_level", "most_level"}) {
       parameters.erase(key);
     }
     for (const RegionParameters& region : scenario.model.regions) {

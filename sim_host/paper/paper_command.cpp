@@ -1,9 +1,11 @@
 // `palpate paper`: the paper's experiments and a report on them.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "output/gnuplot.hpp"
 #include "paper/parallel.hpp"
 #include "paper/sections.hpp"
+#include "paper/table1_output.hpp"
 #include "program/commands.hpp"
 #include "scenario/errors.hpp"
 
@@ -41,6 +43,15 @@ void add_requirements_section(const Requirements& requirements, ReportPage& page
   page.add_table(requirements.table());
 }
 
+void require_table1(const Table1& table, Requirements& requirements) {
+  const std::vector<std::string> objections = find_objections(table);
+  requirements.add(
+      {"Table 1: rest, and the average error at the paper's numbers of rotation tets",
+       "not above the paper's in any row",
+       objections.empty() ? "below it in every row" : fmt::format("{}", fmt::join(objections, "; ")),
+       objections.empty()});
+}
+
 }  // namespace
 
 int run_paper(const std::string& out, bool is_quick) {
@@ -48,17 +59,22 @@ int run_paper(const std::string& out, bool is_quick) {
   const Experiment experiment{out, is_quick};
   make_folder(experiment.folder);
   make_folder(experiment.runs());
+  print_line("Table 1 and Figure 6");
+  Table1Options options;
+  options.is_quick = is_quick;
+  const Table1Study table1 = study_table1(options);
   print_line("Figure 7 and the smoothness of the force");
   const PaperRuns runs = run_sines(experiment);
   print_line("Which criterion refines the mesh");
   const std::vector<LoadStudy> studies = study_criteria(experiment);
   Requirements requirements;
+  require_table1(table1.table, requirements);
   require_smoothness(runs, requirements);
 
   const std::string summary = summary_of(requirements, experiment);
   ReportPage page("The paper's experiments, run again", summary);
   if (!is_quick) add_requirements_section(requirements, page);
-  // Evaluation 1, Table 1 and Fig. 6, goes here: add_table1_sections(page, experiment.folder).
+  add_table1_sections(page, experiment.folder, table1);
   add_fig7_sections(runs, experiment, page);
   add_smoothness_section(runs, experiment, page);
   add_remesh_section(runs, experiment, page);

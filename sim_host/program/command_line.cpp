@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <deque>
+#include <optional>
 
 #include "program/commands.hpp"
 #include "scenario/parameter_table.hpp"
@@ -82,6 +83,55 @@ class ScenarioCommand {
   std::deque<Flag> flags_;  // options point into it
 };
 
+/// `table1`, whose flags are those of cuboid-bend.
+class Table1Command {
+ public:
+  explicit Table1Command(CLI::App& app)
+      : command_(app.add_subcommand("table1", "the paper's Table 1 and Figure 6, in fixed point")) {
+    command_->allow_extras();
+    command_->footer("Example: palpate table1 --twist 90 --out out/twist");
+    add_flag("angle", angle_);
+    add_flag("twist", twist_);
+    add_flag("out", out_);
+    add_flag("plots", plots_);
+    command_->add_flag("--quick", is_quick_, "two rows only");
+  }
+
+  [[nodiscard]] CLI::App* app() const { return command_; }
+
+  [[nodiscard]] Table1Request request() const {
+    if (angle_ && twist_) {
+      throw BadInput("table1 takes --angle or --twist, not both: the bar is bent or twisted");
+    }
+    Scenario scenario = built_in_scenario("cuboid-bend");
+    scenario.bend.angle_deg = twist_ ? 0.0 : Table1Options{}.bend_deg;
+    scenario.out = Table1Request{}.out;
+    set("angle", angle_, scenario);
+    set("twist", twist_, scenario);
+    set("out", out_, scenario);
+    set("plots", plots_, scenario);
+    return Table1Request{
+        {scenario.bend.angle_deg, scenario.bend.twist_deg, is_quick_}, scenario.out, scenario.plots};
+  }
+
+ private:
+  void add_flag(const char* key, std::optional<std::string>& text) {
+    const Parameter& parameter = *find_parameter(key);
+    command_
+        ->add_option(fmt::format("--{}", key), text,
+                     fmt::format("{}; {}", parameter.meaning, describe_range(parameter)))
+        ->type_name("VALUE")
+        ->option_text(" ");
+  }
+  static void set(const char* key, const std::optional<std::string>& text, Scenario& scenario) {
+    if (text) set_parameter(scenario, *find_parameter(key), *text, "");
+  }
+
+  CLI::App* command_;
+  std::optional<std::string> angle_, twist_, out_, plots_;  // options point here
+  bool is_quick_ = false;
+};
+
 void refuse_extras(const CLI::App& command) {
   const auto extras = command.remaining();
   if (extras.empty()) return;
@@ -123,7 +173,7 @@ const CLI::App* chosen_command(const CLI::App& app) {
   if (chosen.empty()) {
     const auto extras = app.remaining();
     throw BadInput(fmt::format(
-        "{}; the commands are compare, hil, model, paper and run, see palpate --help",
+        "{}; the commands are compare, hil, model, paper, run and table1, see palpate --help",
         extras.empty() ? "no command is given" : fmt::format("there is no command '{}'", extras[0])));
   }
   refuse_extras(*chosen[0]);
@@ -138,6 +188,7 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
                             kDeviceKinds, true, "palpate hil grasp --force-scale 20 --out out/grasp");
   ScenarioCommand model(app, "model", "describe a scenario's model, or write it for the firmware", kAllKinds,
                         false, "palpate model grasp --firmware-image scenario_image.cpp");
+  const Table1Command table1(app);
   std::string image;
   model.app()
       ->add_option("--firmware-image", image, "write the model and the script as C++ for the firmware")
@@ -165,6 +216,7 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
   const CLI::App* chosen = chosen_command(app);
   if (chosen == run.app()) return run_scenario(run.scenario(), "run");
   if (chosen == hil.app()) return run_scenario(hil.scenario(), "hil");
+  if (chosen == table1.app()) return make_table1(table1.request());
   if (chosen == paper) return run_paper(report_folder, is_quick);
   if (chosen == compare) return compare_runs(first, second);
   return describe_model(model.scenario(), image);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "paper/table1.hpp"
 #include "scenario/scenario.hpp"
 
 namespace palpate::sim {
@@ -15,5 +16,13 @@ int describe_model(Scenario scenario, const std::string& firmware_image_path);
 int run_paper(const std::string& out, bool is_quick);
 /// `compare`.
 int compare_runs(const std::string& first, const std::string& second);
+
+struct Table1Request {
+  Table1Options options;
+  std::string out = "out/table1";
+  bool plots = true;
+};
+/// `table1`: the paper's Table 1, its curve and Figure 6, into a folder.
+int make_table1(const Table1Request& request);
 
 }  // namespace palpate::sim

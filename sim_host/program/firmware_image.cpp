@@ -30,10 +30,11 @@ std::string spell(const RemeshRules& rules) {
   const auto levels = [](LevelRange range) { return fmt::format("{{{}, {}}}", range.least, range.most); };
   const RotationRules& r = rules.rotation;
   const StretchRules& s = rules.stretch;
-  return fmt::format("    {{{{RotationCriterion({}), {}, {}, {}}},\n", static_cast<int>(r.criterion), r.start_level,
-                     r.split_above, r.join_below) +
-         fmt::format("     {{StretchCriterion({}), {}, {}, {{{}}}}}}},  // remesh\n", static_cast<int>(s.criterion),
-                     spell(s.split_above), spell(s.merge_below), braces(s.levels, levels));
+  return fmt::format("    {{{{RotationCriterion({}), {}, {}, {}}},\n", static_cast<int>(r.criterion),
+                     r.start_level, r.split_above, r.join_below) +
+         fmt::format("     {{StretchCriterion({}), {}, {}, {{{}}}}}}},  // remesh\n",
+                     static_cast<int>(s.criterion), spell(s.split_above), spell(s.merge_below),
+                     braces(s.levels, levels));
 }
 
 std::string spell(const Model& model) {
@@ -48,7 +49,8 @@ std::string spell(const Model& model) {
                      braces(model.materials, material), braces(model.region_density, number)) +
          fmt::format("    {{{}, {}, {},\n     {}, {}}},  // dynamics\n", d.substeps, spell(d.mass_damping),
                      spell(d.stiffness_damping), spell(d.impulse_mantissa), d.impulse_exponent) +
-         spell(model.remesh) + fmt::format("    {{{}}},  // held\n    {}}}", braces(model.held, box), spell(model.grasp_reach));
+         spell(model.remesh) +
+         fmt::format("    {{{}}},  // held\n    {}}}", braces(model.held, box), spell(model.grasp_reach));
 }
 
 std::string spell(const firmware::Scene& scene) {

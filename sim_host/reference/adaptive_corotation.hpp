@@ -28,7 +28,6 @@ class AdaptiveCorotation {
   [[nodiscard]] const BisectionTree& tree() const { return *tree_; }
   [[nodiscard]] const std::vector<Element>& leaves() const { return leaves_; }
   [[nodiscard]] const Material& material() const { return material_; }
-  [[nodiscard]] RotationSource source() const { return source_; }
   [[nodiscard]] const FreeNodes& free_nodes() const { return free_; }
   [[nodiscard]] const StaticSolution& full() const { return full_; }
   /// Of the last equilibrium: positions; F of leaf i; forces on all nodes, N; the rotation of a group.

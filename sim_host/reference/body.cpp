@@ -16,7 +16,8 @@ ReferenceBody::ReferenceBody(const Mesh& mesh, const BodyParameters& parameters,
       force_position_(mesh.rest),
       velocity_(mesh.rest.size(), Vector::Zero()),
       force_(mesh.rest.size(), Vector::Zero()),
-      rotation_(mesh.tet.size(), Matrix::Identity()) {}
+      rotation_(mesh.tet.size(), Matrix::Identity()),
+      seen_(mesh.tet.size(), Matrix::Identity()) {}
 
 Vector ReferenceBody::tick(const BodyInput& input) {
   update_grasp(input);
@@ -34,6 +35,8 @@ void ReferenceBody::set_state(const Positions& position, const std::vector<Vecto
   for (uint32_t i = 0; i < position.size(); ++i) {
     force_position_[i] = position[i] + parameters_.stiffness_damping_s * velocity[i];
   }
+  for (uint32_t i = 0; i < elements_.size(); ++i)
+    seen_[i] = deformation_gradient(elements_[i], force_position_);
 }
 
 void ReferenceBody::update_grasp(const BodyInput& input) {
@@ -55,14 +58,14 @@ void ReferenceBody::update_grasp(const BodyInput& input) {
 void ReferenceBody::update_rotations() {
   if (parameters_.model != ElasticModel::kCorotation) return;
   for (uint32_t i = 0; i < elements_.size(); ++i) {
-    rotation_[i] = polar_rotation(deformation_gradient(elements_[i], position_), rotation_[i]);
+    rotation_[i] = polar_rotation(seen_[i], rotation_[i]);
   }
 }
 
 ElementForces ReferenceBody::forces_of_element(uint32_t i) const {
   const Element& element = elements_[i];
   const Material& material = parameters_.materials[element.region];
-  const Matrix f = deformation_gradient(element, force_position_);
+  const Matrix& f = seen_[i];
   if (parameters_.model == ElasticModel::kCorotation) return forces_of(element, f, rotation_[i], material);
   const Matrix p = stress_of(parameters_.model, f, material);
   ElementForces force;
@@ -73,6 +76,7 @@ ElementForces ReferenceBody::forces_of_element(uint32_t i) const {
 void ReferenceBody::evaluate_forces() {
   for (Vector& force : force_) force.setZero();
   for (uint32_t i = 0; i < elements_.size(); ++i) {
+    seen_[i] = deformation_gradient(elements_[i], force_position_);
     const ElementForces part = forces_of_element(i);
     for (uint32_t k = 0; k < 4; ++k) force_[elements_[i].node[k]] += part[k];
   }

@@ -61,6 +61,7 @@ class ReferenceBody {
   Positions rest_, position_, force_position_;
   std::vector<Vector> velocity_, force_;
   std::vector<Matrix> rotation_;
+  std::vector<Matrix> seen_;  // deformation gradients of the last evaluation, which the next rotations are of
   uint32_t grasped_ = kNobody;
   Vector grasp_offset_ = Vector::Zero();
   bool was_closed_ = false;

@@ -20,19 +20,19 @@ enum class Tangent { kExact, kPositive };  // kPositive: negative eigenvalues of
 
 StressTangent stress_tangent_of(ElasticModel model, const Matrix& f, const Material& material, Tangent kind);
 
-template <uint32_t kNodes>
-constexpr int kCoordinatesOf = static_cast<int>(3 * kNodes);
-template <uint32_t kNodes>
-using TangentOf = Eigen::Matrix<double, kCoordinatesOf<kNodes>, kCoordinatesOf<kNodes>>;
+template <uint32_t Nodes>
+constexpr int kCoordinatesOf = static_cast<int>(3 * Nodes);
+template <uint32_t Nodes>
+using TangentOf = Eigen::Matrix<double, kCoordinatesOf<Nodes>, kCoordinatesOf<Nodes>>;
 using ElementTangent = TangentOf<4>;
 
 /// - d f / d x of an element's coordinates, node by node, N/m.
-template <uint32_t kNodes>
-TangentOf<kNodes> tangent_of(const ElementOf<kNodes>& element, const Matrix& f, const Material& material,
-                             Tangent kind, ElasticModel model = ElasticModel::kCorotation) {
-  using GradientChange = Eigen::Matrix<double, 9, kCoordinatesOf<kNodes>>;
+template <uint32_t Nodes>
+TangentOf<Nodes> tangent_of(const ElementOf<Nodes>& element, const Matrix& f, const Material& material,
+                            Tangent kind, ElasticModel model = ElasticModel::kCorotation) {
+  using GradientChange = Eigen::Matrix<double, 9, kCoordinatesOf<Nodes>>;
   GradientChange df_dx = GradientChange::Zero();
-  for (uint32_t node = 0; node < kNodes; ++node) {
+  for (uint32_t node = 0; node < Nodes; ++node) {
     for (uint32_t axis = 0; axis < 3; ++axis) {
       for (uint32_t column = 0; column < 3; ++column) {
         df_dx(3 * column + axis, 3 * node + axis) = element.gradient[node][column];

@@ -7,7 +7,6 @@ namespace palpate::reference {
 namespace {
 
 constexpr double kOnFace = 1e-9;  // m
-constexpr int kBendSteps = 15;
 
 /// A rigid motion x -> turn x + shift.
 struct Motion {
@@ -15,40 +14,52 @@ struct Motion {
   Vector shift;
 };
 
-Matrix turned_about_y(double angle) { return Eigen::AngleAxisd(angle, Vector::UnitY()).toRotationMatrix(); }
+Matrix turned_about(const Vector& axis, double angle) {
+  return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+}
 
+/// The bar's cross-sections on their way: twisted about the centre line, which is an arc.
 class Arc {
  public:
-  Arc(double length, double angle, BendFrame frame) : length_(length), angle_(angle), frame_(frame) {}
+  Arc(double length, const EndTurn& turn, BendFrame frame) : length_(length), turn_(turn), frame_(frame) {}
 
   /// The motion of the cross-section at z of the rest shape.
   [[nodiscard]] Motion section(double z) const {
-    const Motion middle = section_from_middle(z);
-    if (frame_ == BendFrame::kMiddle) return middle;
-    const Motion out = to_held_end();
-    return Motion{out.turn * middle.turn, out.turn * middle.shift + out.shift};
+    Motion section = bent_section(z);
+    if (frame_ == BendFrame::kHeldEnd) {
+      const Motion out = to_held_end();
+      section = Motion{out.turn * section.turn, out.turn * section.shift + out.shift};
+    }
+    // Turns about a point of the axis, so that the shift stays.
+    section.turn *= turned_about(Vector::UnitZ(), turn_.twist_rad * (z / length_ + 0.5));
+    return section;
   }
 
   /// From the frame of the middle to the one in which the section at -length / 2 does not move.
   [[nodiscard]] Motion to_held_end() const {
-    const Motion held = section_from_middle(-length_ / 2);
+    const Motion held = bent_section(-length_ / 2);
     const Matrix back = held.turn.transpose();
     return Motion{back, -back * held.shift};
   }
 
  private:
-  [[nodiscard]] Motion section_from_middle(double z) const {
-    if (angle_ == 0.0) return Motion{Matrix::Identity(), Vector::Zero()};
-    const double radius = length_ / angle_;
+  [[nodiscard]] Motion bent_section(double z) const {
+    if (turn_.bend_rad == 0.0) return Motion{Matrix::Identity(), Vector::Zero()};
+    const double radius = length_ / turn_.bend_rad;
     const double a = z / radius;
-    const Matrix turn = turned_about_y(a);
+    const Matrix turn = turned_about(Vector::UnitY(), a);
     const Vector centre(radius * (1.0 - std::cos(a)), 0.0, radius * std::sin(a));
     return Motion{turn, centre - turn * Vector(0, 0, z)};
   }
 
-  double length_, angle_;
+  double length_;
+  EndTurn turn_;
   BendFrame frame_;
 };
+
+EndTurn part_of(const EndTurn& turn, double load) {
+  return EndTurn{turn.bend_rad * load, turn.twist_rad * load};
+}
 
 std::vector<bool> nodes_on_ends(const Mesh& mesh, bool both_ends) {
   const double half = upper_corner(mesh)[2];
@@ -62,17 +73,18 @@ std::vector<bool> nodes_on_ends(const Mesh& mesh, bool both_ends) {
 
 }  // namespace
 
-StaticProblem bend_problem(const Mesh& mesh, const Material& material, double angle_rad, BendFrame frame) {
+StaticProblem turned_end_problem(const Mesh& mesh, const Material& material, const EndTurn& turn,
+                                 BendFrame frame, int load_steps) {
   StaticProblem problem;
   problem.mesh = mesh;
   problem.materials = {material};
   problem.prescribed = nodes_on_ends(mesh, true);
-  problem.load_steps = kBendSteps;
+  problem.load_steps = load_steps;
   const double length = 2.0 * upper_corner(mesh)[2];
-  problem.place = [rest = mesh.rest, prescribed = problem.prescribed, length, angle_rad, frame](
+  problem.place = [rest = mesh.rest, prescribed = problem.prescribed, length, turn, frame, load_steps](
                       double load, Positions& x) {
-    const Arc arc(length, angle_rad * load, frame);
-    const Arc before(length, angle_rad * (load - 1.0 / kBendSteps), frame);
+    const Arc arc(length, part_of(turn, load), frame);
+    const Arc before(length, part_of(turn, load - 1.0 / load_steps), frame);
     for (uint32_t i = 0; i < x.size(); ++i) {
       const Motion now = arc.section(rest[i][2]);
       const Motion then = before.section(rest[i][2]);
@@ -84,8 +96,17 @@ StaticProblem bend_problem(const Mesh& mesh, const Material& material, double an
   return problem;
 }
 
-Positions in_held_end_frame(Positions x, double length_m, double angle_rad) {
-  const Motion motion = Arc(length_m, angle_rad, BendFrame::kMiddle).to_held_end();
+StaticProblem bend_problem(const Mesh& mesh, const Material& material, double angle_rad, BendFrame frame,
+                           int load_steps) {
+  return turned_end_problem(mesh, material, EndTurn{angle_rad, 0.0}, frame, load_steps);
+}
+
+StaticProblem twist_problem(const Mesh& mesh, const Material& material, double angle_rad) {
+  return turned_end_problem(mesh, material, EndTurn{0.0, angle_rad}, BendFrame::kHeldEnd);
+}
+
+Positions in_held_end_frame(Positions x, double length_m, double bend_rad) {
+  const Motion motion = Arc(length_m, EndTurn{bend_rad, 0.0}, BendFrame::kMiddle).to_held_end();
   for (Vector& p : x) p = motion.turn * p + motion.shift;
   return x;
 }

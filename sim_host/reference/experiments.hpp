@@ -5,19 +5,33 @@
 
 namespace palpate::reference {
 
+/// How the second end of a bar is turned: twisted about the bar's axis, then bent aside.
+struct EndTurn {
+  double bend_rad = 0.0;
+  double twist_rad = 0.0;
+};
+
 /// Whose frame a bend is solved in. A model that turns with its frame has the same answer in both, but
 /// Newton's method with St. Venant-Kirchhoff finds it only from the middle: from the held end's frame it
 /// falls onto spurious branches from 80 degrees on. The linear model's answer is meant in the held end's
 /// frame.
 enum class BendFrame { kHeldEnd, kMiddle };
 
-/// Experiment 1: one end face (z = -length / 2) held, the other moved so that the centre line, its length
-/// kept, is an arc of `angle_rad` in the x-z plane and cross-sections turn with it. The first guess of a load
-/// step turns each free node with its section.
-StaticProblem bend_problem(const Mesh& mesh, const Material& material, double angle_rad, BendFrame frame);
+/// One end face (z = -length / 2) held, the other twisted about z and moved so that the centre line, its
+/// length kept, is an arc in the x-z plane. The first guess of a load step turns each free node with its
+/// cross-section.
+StaticProblem turned_end_problem(const Mesh& mesh, const Material& material, const EndTurn& turn,
+                                 BendFrame frame, int load_steps = 15);
 
-/// Positions of a bend that was solved in the frame of the middle, in the held end's frame.
-Positions in_held_end_frame(Positions x, double length_m, double angle_rad);
+/// Experiment 1: bent only.
+StaticProblem bend_problem(const Mesh& mesh, const Material& material, double angle_rad, BendFrame frame,
+                           int load_steps = 15);
+
+/// Twisted only.
+StaticProblem twist_problem(const Mesh& mesh, const Material& material, double angle_rad);
+
+/// Positions that were solved in the frame of the middle, in the held end's frame.
+Positions in_held_end_frame(Positions x, double length_m, double bend_rad);
 
 /// The face z = -length / 2 held, and z = +length / 2 too if `both_ends`; one node is moved by
 /// `displacement`, m.

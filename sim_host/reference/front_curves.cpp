@@ -22,7 +22,6 @@ constexpr uint32_t kSearchedCounts[] = {18,  32,  48,  72,  100, 150, 200, 250,
 struct BarProfile {
   static constexpr uint16_t kLeaves = 1152;
   static constexpr uint16_t kNodes = 512;
-  static constexpr uint16_t kGroups = 1152;
   static constexpr uint8_t kMaxLevel = 6;
 };
 
@@ -126,13 +125,21 @@ void write_searched(const BisectionTree& tree, const Case& of) {
 int main(int argc, char** argv) {
   using palpate::reference::Case;
   const palpate::reference::BisectionTree tree = palpate::reference::bar_tree();
-  std::printf("case,method,rotation_tets,mean_error_mm,max_error_mm,reaction_error_mN\n");
-  for (const Case& of : palpate::reference::cases_of(tree.mesh)) {
+  const std::vector<Case> cases = palpate::reference::cases_of(tree.mesh);
+  std::vector<const Case*> wanted;
+  for (const Case& of : cases) {
     bool is_wanted = argc == 1;
     for (int i = 1; i < argc; ++i) is_wanted = is_wanted || std::strcmp(argv[i], of.name) == 0;
-    if (!is_wanted) continue;
-    palpate::reference::write_curves(tree, of);
-    palpate::reference::write_searched(tree, of);
+    if (is_wanted) wanted.push_back(&of);
+  }
+  if (wanted.empty()) {
+    std::fprintf(stderr, "palpate_front_curves: no such case; there are bend, indentation, corner\n");
+    return 2;
+  }
+  std::printf("case,method,rotation_tets,mean_error_mm,max_error_mm,reaction_error_mN\n");
+  for (const Case* of : wanted) {
+    palpate::reference::write_curves(tree, *of);
+    palpate::reference::write_searched(tree, *of);
   }
   return 0;
 }

@@ -30,8 +30,6 @@ class FrontSearch {
   /// Splits what is predicted to be best, one group after the other.
   void split_best(Front& front, uint32_t splits) const;
 
-  [[nodiscard]] double predicted_error_mm(const Front& front) const { return mean_mm(sum_of(front)); }
-
  private:
   struct Change {
     double error_mm;

@@ -29,11 +29,11 @@ struct Mesh {
 /// A point at which stress is evaluated, with the volume that it stands for: F = sum over i of x_i
 /// gradient_i^T. A linear tet is one such point with its four nodes, a quadratic one is four points with ten
 /// nodes.
-template <uint32_t kNodes>
+template <uint32_t Nodes>
 struct ElementOf {
-  std::array<uint32_t, kNodes> node;
-  std::array<Vector, kNodes> gradient;  // of the node's shape function, 1/m; they add up to zero
-  double volume;                        // m3
+  std::array<uint32_t, Nodes> node;
+  std::array<Vector, Nodes> gradient;  // of the node's shape function, 1/m; they add up to zero
+  double volume;                       // m3
   uint32_t region;
 };
 using Element = ElementOf<4>;
@@ -43,10 +43,10 @@ Element element_of(const Mesh& mesh, uint32_t tet);
 std::vector<Element> elements_of(const Mesh& mesh);
 
 /// From differences to the first node, so that a far translation costs no digits.
-template <uint32_t kNodes>
-Matrix deformation_gradient(const ElementOf<kNodes>& element, const Positions& x) {
+template <uint32_t Nodes>
+Matrix deformation_gradient(const ElementOf<Nodes>& element, const Positions& x) {
   Matrix f = Matrix::Zero();
-  for (uint32_t i = 1; i < kNodes; ++i) {
+  for (uint32_t i = 1; i < Nodes; ++i) {
     f += (x[element.node[i]] - x[element.node[0]]) * element.gradient[i].transpose();
   }
   return f;

@@ -13,11 +13,10 @@ constexpr double kShortestStep = 1e-6;
 
 using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
 
-template <uint32_t kNodes>
+template <uint32_t Nodes>
 class LoadStep {
  public:
-  LoadStep(const StaticProblem& problem, const std::vector<ElementOf<kNodes>>& elements,
-           const FreeNodes& free)
+  LoadStep(const StaticProblem& problem, const std::vector<ElementOf<Nodes>>& elements, const FreeNodes& free)
       : problem_(problem), elements_(elements), free_(free) {}
 
   /// Iterates until the residual is below the tolerance. Returns the iterations, or -1.
@@ -84,39 +83,39 @@ class LoadStep {
   }
 
   const StaticProblem& problem_;
-  const std::vector<ElementOf<kNodes>>& elements_;
+  const std::vector<ElementOf<Nodes>>& elements_;
   const FreeNodes& free_;
 };
 
 }  // namespace
 
-template <uint32_t kNodes>
-std::vector<Vector> static_forces(const std::vector<ElementOf<kNodes>>& elements,
+template <uint32_t Nodes>
+std::vector<Vector> static_forces(const std::vector<ElementOf<Nodes>>& elements,
                                   const std::vector<Material>& materials, const Positions& x,
                                   ElasticModel model) {
   std::vector<Vector> forces(x.size(), Vector::Zero());
-  for (const ElementOf<kNodes>& element : elements) {
+  for (const ElementOf<Nodes>& element : elements) {
     const Matrix p = stress_of(model, deformation_gradient(element, x), materials[element.region]);
-    for (uint32_t i = 0; i < kNodes; ++i)
+    for (uint32_t i = 0; i < Nodes; ++i)
       forces[element.node[i]] -= element.volume * (p * element.gradient[i]);
   }
   return forces;
 }
 
-template <uint32_t kNodes>
-double static_energy(const std::vector<ElementOf<kNodes>>& elements, const std::vector<Material>& materials,
+template <uint32_t Nodes>
+double static_energy(const std::vector<ElementOf<Nodes>>& elements, const std::vector<Material>& materials,
                      const Positions& x, ElasticModel model) {
   double energy = 0.0;
-  for (const ElementOf<kNodes>& element : elements) {
+  for (const ElementOf<Nodes>& element : elements) {
     energy += element.volume * energy_of(model, deformation_gradient(element, x), materials[element.region]);
   }
   return energy;
 }
 
-template <uint32_t kNodes>
-StaticSolution solve_static(const StaticProblem& problem, const std::vector<ElementOf<kNodes>>& elements) {
+template <uint32_t Nodes>
+StaticSolution solve_static(const StaticProblem& problem, const std::vector<ElementOf<Nodes>>& elements) {
   const FreeNodes free(problem.prescribed);
-  const LoadStep<kNodes> step(problem, elements, free);
+  const LoadStep<Nodes> step(problem, elements, free);
   StaticSolution solution{problem.mesh.rest, {}, 0.0, 0, true};
   for (int i = 1; i <= problem.load_steps && solution.converged; ++i) {
     problem.place(static_cast<double>(i) / problem.load_steps, solution.x);

@@ -34,16 +34,16 @@ struct StaticSolution {
 StaticSolution solve_static(const StaticProblem& problem);
 
 /// With other elements over the nodes problem.mesh.rest. For 4 and 10 nodes.
-template <uint32_t kNodes>
-StaticSolution solve_static(const StaticProblem& problem, const std::vector<ElementOf<kNodes>>& elements);
+template <uint32_t Nodes>
+StaticSolution solve_static(const StaticProblem& problem, const std::vector<ElementOf<Nodes>>& elements);
 
 /// Elastic forces on all nodes, N, and the energy, J. For 4 and 10 nodes.
-template <uint32_t kNodes>
-std::vector<Vector> static_forces(const std::vector<ElementOf<kNodes>>& elements,
+template <uint32_t Nodes>
+std::vector<Vector> static_forces(const std::vector<ElementOf<Nodes>>& elements,
                                   const std::vector<Material>& materials, const Positions& x,
                                   ElasticModel model = ElasticModel::kCorotation);
-template <uint32_t kNodes>
-double static_energy(const std::vector<ElementOf<kNodes>>& elements, const std::vector<Material>& materials,
+template <uint32_t Nodes>
+double static_energy(const std::vector<ElementOf<Nodes>>& elements, const std::vector<Material>& materials,
                      const Positions& x, ElasticModel model = ElasticModel::kCorotation);
 
 }  // namespace palpate::reference

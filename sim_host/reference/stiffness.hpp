@@ -31,18 +31,18 @@ class FreeNodes {
 };
 
 /// - d f / d x at x, N/m.
-template <uint32_t kNodes>
-SparseMatrix assemble_stiffness(const std::vector<ElementOf<kNodes>>& elements,
+template <uint32_t Nodes>
+SparseMatrix assemble_stiffness(const std::vector<ElementOf<Nodes>>& elements,
                                 const std::vector<Material>& materials, const Positions& x,
                                 const FreeNodes& free, Tangent kind,
                                 ElasticModel model = ElasticModel::kCorotation) {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(elements.size() * 9 * kNodes * kNodes);
-  for (const ElementOf<kNodes>& element : elements) {
-    const TangentOf<kNodes> k =
+  entries.reserve(elements.size() * 9 * Nodes * Nodes);
+  for (const ElementOf<Nodes>& element : elements) {
+    const TangentOf<Nodes> k =
         tangent_of(element, deformation_gradient(element, x), materials[element.region], kind, model);
-    for (uint32_t a = 0; a < 3 * kNodes; ++a) {
-      for (uint32_t b = 0; b < 3 * kNodes; ++b) {
+    for (uint32_t a = 0; a < 3 * Nodes; ++a) {
+      for (uint32_t b = 0; b < 3 * Nodes; ++b) {
         const uint32_t row = element.node[a / 3];
         const uint32_t column = element.node[b / 3];
         if (!free.is_free(row) || !free.is_free(column)) continue;

@@ -16,10 +16,9 @@ using Field = T& (*)(Scenario&);
 
 /// Where a parameter lives; its alternative is the parameter's type. A member of RegionParameters is set in
 /// all regions.
-using Access =
-    std::variant<Field<double>, Field<int>, Field<bool>, Field<std::string>, Field<std::array<double, 3>>,
-                 Field<std::array<int, 3>>, Field<std::vector<int>>, double RegionParameters::*,
-                 int RegionParameters::*>;
+using Access = std::variant<Field<double>, Field<int>, Field<bool>, Field<std::string>,
+                            Field<std::array<double, 3>>, Field<std::array<int, 3>>, Field<std::vector<int>>,
+                            double RegionParameters::*, int RegionParameters::*>;
 
 template <class Where>
 inline constexpr bool kIsOfRegion =

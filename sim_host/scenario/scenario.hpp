@@ -15,9 +15,11 @@ struct SineParameters {
   bool rest_at_peak = false;  // the node stays at its first peak, and the body comes to rest
 };
 
-/// cuboid-bend: one end turned until the bar's centre line is a circular arc, then rest.
+/// cuboid-bend: one end twisted about the bar's axis and turned until the bar's centre line is a circular
+/// arc, then rest.
 struct BendParameters {
   double angle_deg = 90.0;
+  double twist_deg = 0.0;
 };
 
 /// grasp: a PHANToM takes a corner of the free end and drags it sideways.

@@ -6,8 +6,9 @@
 
 namespace palpate::sim {
 
-/// Puts the second held end where the bar's centre line, its length kept, is a circular arc; `part` 0 .. 1 of
-/// the angle, smoothly. The bar bends from its longest axis towards the axis before it (z towards y).
+/// Twists the second held end about the bar's axis and puts it where the bar's centre line, its length kept,
+/// is a circular arc; `part` 0 .. 1 of both angles, smoothly. The bar bends from its longest axis towards the
+/// axis before it (z towards y); the twist is right-handed about the longest axis.
 RigidMotion end_motion(const Scenario& scenario, double part);
 
 }  // namespace palpate::sim

@@ -87,6 +87,7 @@ BodyShape read_shape(const State<Profile>& state, const ModelParameters& model) 
       if (leaf.neighbour[face] != kNone) continue;
       const auto at = [&](std::size_t k) { return place[leaf.node[(face + k) % 4]]; };
       shape.triangles.push_back(facing_away({at(1), at(2), at(3)}, at(0), shape.rest_mm));
+      shape.rotation_tet.push_back(leaf.group);
     }
   }
   return shape;

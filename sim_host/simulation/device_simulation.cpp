@@ -2,8 +2,8 @@
 #include "palpate/firmware/cycle.hpp"
 #include "scenario/grasp_script.hpp"
 #include "simulation/body_reading.hpp"
-#include "simulation/stage_clock.hpp"
 #include "simulation/read_fields.hpp"
+#include "simulation/stage_clock.hpp"
 #include "simulation/with_profile.hpp"
 
 namespace palpate::sim {

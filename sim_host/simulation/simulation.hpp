@@ -37,6 +37,7 @@ struct BodyShape {
   std::vector<std::array<double, 3>> rest_mm;
   std::vector<std::array<double, 3>> now_mm;
   std::vector<std::array<uint32_t, 3>> triangles;  // of the surface, normals outwards: places of nodes above
+  std::vector<uint32_t> rotation_tet;              // of each triangle: the same number, the same rotation
 };
 
 class Simulation {

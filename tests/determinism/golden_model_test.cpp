@@ -14,13 +14,20 @@ sim::ModelParameters parameters_in_si() {
   parameters.cubes = {1, 1, 3};
   parameters.edge_m = 0.064;
   parameters.level = kMesh.level;
-  parameters.regions = {sim::RegionParameters{500.0, 0.49, 20.0}, sim::RegionParameters{250.0, 0.49, 10.0}};
+  parameters.regions = {sim::RegionParameters{500.0, 0.49, 20.0, kMesh.least_level, kMesh.most_level},
+                        sim::RegionParameters{250.0, 0.49, 10.0, kMesh.least_level, kMesh.most_level}};
   parameters.region_of_cube = {0, 0, 1};
   parameters.substeps = kMesh.substeps;
   parameters.mass_damping_per_s = 2.0;
   parameters.stiffness_damping_s = 50e-6;
   parameters.held = sim::HeldEnds::kOne;
   parameters.grasp_reach_m = 0.032;
+  parameters.remesh.rotation = RotationCriterion::kMisfit;
+  parameters.remesh.rotation_split_deg = 1.5;
+  parameters.remesh.rotation_join_ratio = 0.85;
+  parameters.remesh.stretch = StretchCriterion::kSixEdges;
+  parameters.remesh.stretch_split = 0.06;
+  parameters.remesh.stretch_merge_ratio = 0.5;
   return parameters;
 }
 
@@ -46,6 +53,22 @@ TEST(GoldenModel, HasTheDynamicsOfItsSiValues) {
   EXPECT_EQ(golden.stiffness_damping.raw(), dynamics.stiffness_damping.raw());
   EXPECT_EQ(golden.impulse_mantissa.raw(), dynamics.impulse_mantissa.raw());
   EXPECT_EQ(golden.impulse_exponent, dynamics.impulse_exponent);
+}
+
+TEST(GoldenModel, HasTheRulesOfItsSiValues) {
+  const RemeshRules rules = sim::compile_model(parameters_in_si()).remesh;
+  const RemeshRules& golden = golden_model().body.remesh;
+  EXPECT_EQ(golden.rotation.criterion, rules.rotation.criterion);
+  EXPECT_EQ(golden.rotation.start_level, rules.rotation.start_level);
+  EXPECT_EQ(golden.rotation.split_above, rules.rotation.split_above);
+  EXPECT_EQ(golden.rotation.join_below, rules.rotation.join_below);
+  EXPECT_EQ(golden.stretch.criterion, rules.stretch.criterion);
+  EXPECT_EQ(golden.stretch.split_above.raw(), rules.stretch.split_above.raw());
+  EXPECT_EQ(golden.stretch.merge_below.raw(), rules.stretch.merge_below.raw());
+  for (std::size_t region = 0; region < kRegions; ++region) {
+    EXPECT_EQ(golden.stretch.levels[region].least, rules.stretch.levels[region].least);
+    EXPECT_EQ(golden.stretch.levels[region].most, rules.stretch.levels[region].most);
+  }
 }
 
 TEST(GoldenModel, HasTheShapeOfItsSiValues) {

@@ -6,6 +6,8 @@
 // same reason the script is made here from a few poses, by the compiler and in integers.
 #include "golden_scenario_image.hpp"
 
+#include "palpate/remesh/stretch.hpp"
+
 namespace palpate::firmware {
 namespace {
 
@@ -18,7 +20,7 @@ constexpr Material make_material(int64_t softness) {
   constexpr int64_t kOneMinusTwoNu = 2;
   constexpr int64_t kNu = 49;
   return Material{ShearCoefficient::ratio(100, 12 * kOnePlusNu * softness),
-                  BulkCoefficient::ratio(kNu * 100, 12 * kOnePlusNu * kOneMinusTwoNu * softness)};
+                  BulkCoefficient::ratio(kNu * 100, 6 * kOnePlusNu * kOneMinusTwoNu * softness)};
 }
 
 constexpr Dynamics make_dynamics() {
@@ -32,6 +34,20 @@ constexpr Dynamics make_dynamics() {
   return dynamics;
 }
 
+/// With both fronts on the move.
+constexpr RemeshRules make_rules() {
+  RemeshRules rules{};
+  rules.rotation.criterion = RotationCriterion::kMisfit;
+  rules.rotation.start_level = 0;
+  rules.rotation.split_above = 2943556;  // 2 (1 - cos 1.5 deg) 2^32
+  rules.rotation.join_below = 2126753;   // 2 (1 - cos 1.275 deg) 2^32
+  rules.stretch.criterion = StretchCriterion::kSixEdges;
+  rules.stretch.split_above = StretchMeasure::ratio(1236, 10000);  // 1.06^2 - 1
+  rules.stretch.merge_below = StretchMeasure::ratio(609, 10000);   // 1.03^2 - 1
+  for (LevelRange& levels : rules.stretch.levels) levels = LevelRange{kMesh.least_level, kMesh.most_level};
+  return rules;
+}
+
 constexpr Model make_body() {
   Model body{};
   body.block = Block{{1, 1, 3}, {0, 0, 1}};
@@ -41,6 +57,7 @@ constexpr Model make_body() {
     body.region_density[i] = i == 1 ? kDensityOne / 2 : kDensityOne;
   }
   body.dynamics = make_dynamics();
+  body.remesh = make_rules();
   body.held[0] = LatticeBox{body.block.corner(0, 0, 0), body.block.corner(1, 1, 0)};
   body.held[1] = LatticeBox{{1, 1, 1}, {0, 0, 0}};
   body.grasp_reach = Position::ratio(1, 2);

@@ -107,13 +107,14 @@ bool is_forbidden(const Word& word) {
   return before.size() >= 5 && before.compare(before.size() - 5, 5, "std::") == 0;
 }
 
-/// A range-for over bounded<...>(...).
+/// A range-for over bounded<...>(...), or over what a BoundedTotal lets nested loops take.
 bool is_bounded(const std::string& head) {
   std::size_t colon = head.find(" : ");
   if (colon == std::string::npos || !starts_with(head, "for (")) return false;
   std::string_view range = std::string_view(head).substr(colon + 3);
   if (starts_with(range, "palpate::")) range.remove_prefix(9);
-  return starts_with(range, "bounded<");
+  const std::string_view name = range.substr(0, range.find_first_of(".(<"));
+  return starts_with(range, "bounded<") || starts_with(range.substr(name.size()), ".take(");
 }
 
 }  // namespace
@@ -166,6 +167,10 @@ const std::vector<Exception>& exceptions() {
        "makes them errors on a target"},
       {"core/numeric/palpate/numeric/q.hpp", "for (int bit = 0; bit < F; ++bit) {",
        "Q::ratio, for compile-time constants"},
+      {"core/elastic/palpate/elastic/groups.hpp", "for (int64_t left = 1; left <= kBlendTicks; ++left) {",
+       "kBlendParts, for a compile-time constant"},
+      {"core/elastic/palpate/elastic/group_forces.hpp", "for (const uint32_t k : range) {",
+       "a range that its caller takes from a BoundedTotal"},
       {"hal/phantom/palpate/phantom/joint_angles.hpp", "for (std::size_t joint = 0; joint < 3; ++joint) {",
        "make_calibration, for compile-time constants"},
       {"hal/phantom/palpate/phantom/motor_code.hpp", "for (std::size_t joint = 0; joint < 3; ++joint) {",

@@ -24,7 +24,8 @@ Findings check_includes(const Source& source);
 /// No float, no heap, no exceptions, no virtual functions, no containers of the library.
 Findings check_words(const Source& source);
 
-/// Every loop is `for (... : bounded<...>(...))`, in core, hal and firmware/cycle.
+/// Every loop is `for (... : bounded<...>(...))` or `for (... : total.take(...))`, in core, hal and
+/// firmware/cycle.
 Findings check_loops(const Source& source);
 
 /// What a rule lets pass, and why. `line` is the offending line without its comment and the spaces at its

@@ -93,6 +93,8 @@ TEST(LoopRule, RefusesWhatIsNotBounded) {
   EXPECT_EQ(count("do { f(); } while (g());"), 2u);
   EXPECT_EQ(count("again: goto again;"), 1u);
   EXPECT_EQ(count("for (const int i : unbounded<4>(4, [] {})) f(i);"), 1u);
+  EXPECT_EQ(count("for (const int i : leaves.takes(1, 2)) f(i);"), 1u);
+  EXPECT_EQ(count("for (const int i : take(1, 2)) f(i);"), 1u);
 }
 
 TEST(LoopRule, AcceptsBoundedRanges) {
@@ -100,6 +102,7 @@ TEST(LoopRule, AcceptsBoundedRanges) {
   EXPECT_EQ(count("for (const uint32_t i : bounded<4>(4, [] {})) f(i);"), 0u);
   EXPECT_EQ(count("for ([[maybe_unused]] const uint32_t step :\n     bounded<kMax>(count(a), [] {})) f();"),
             0u);
+  EXPECT_EQ(count("for (const uint32_t i : leaves.take(begin, count)) f(i);"), 0u);
   EXPECT_EQ(count("// while (true) for (;;)\n\"do\";"), 0u);
 }
 

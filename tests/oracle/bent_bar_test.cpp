@@ -4,11 +4,12 @@
 
 #include "reference/experiments.hpp"
 #include "support/bodies.hpp"
+#include "support/forests.hpp"
 
 namespace palpate::test {
 namespace {
 
-using Profile = CuboidPaper;
+using Profile = WithFullCorotation<CuboidPaper>;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -39,6 +40,7 @@ RigidMotion end_motion(double angle) {
 
 sim::ModelParameters bar() {
   sim::ModelParameters parameters;
+  parameters.remesh.rotation = RotationCriterion::kFull;
   parameters.held = sim::HeldEnds::kBoth;
   parameters.mass_damping_per_s = 25.0;
   return parameters;

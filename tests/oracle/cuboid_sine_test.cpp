@@ -4,11 +4,12 @@
 
 #include "reference/static_solver.hpp"
 #include "support/bodies.hpp"
+#include "support/forests.hpp"
 
 namespace palpate::test {
 namespace {
 
-using Profile = CuboidPaper;
+using Profile = WithFullCorotation<CuboidPaper>;
 using Eigen::Vector3d;
 
 constexpr LatticePoint kDrivenCorner{16, 16, 48};
@@ -18,6 +19,7 @@ sim::ModelParameters bar(double density_kg_m3, int substeps) {
   sim::ModelParameters parameters;
   parameters.regions[0].density_kg_m3 = density_kg_m3;
   parameters.substeps = substeps;
+  parameters.remesh.rotation = RotationCriterion::kFull;
   return parameters;
 }
 

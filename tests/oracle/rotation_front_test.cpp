@@ -80,6 +80,33 @@ TEST(RotationFront, OfRemainingRotationIsBelowThePaper) {
   }
 }
 
+/// All at once instead of one at a time, and down from full corotation: the same thresholds give similar
+/// fronts.
+TEST(RotationFront, OfAThresholdFromBothSides) {
+  AdaptiveCorotation body = bent(RotationSource::kMeanGradient);
+  const double root_volume = bar_tree().tet[bar_tree().roots[0]].volume;
+  struct Row {
+    double threshold;  // of the root volume
+    PaperRow paper;
+  };
+  constexpr Row kRows[] = {{3.66e-3, {48, 0.367}}, {1.61e-4, {300, 0.064}}, {7.66e-6, {578, 0.032}}};
+  for (const Row& row : kRows) {
+    const double threshold = row.threshold * root_volume;
+    Front up(bar_tree());
+    ASSERT_TRUE(adapt(body, up, threshold, 0.0));
+    const double up_mm = body.error().mean_mm;
+    Front down = Front::of_leaves(bar_tree());
+    ASSERT_TRUE(adapt(body, down, threshold, 0.5 * threshold));
+    std::printf(
+        "threshold %.2e: from the roots %u, %.4f mm; from the leaves, merging at half of it, %u, %.4f mm\n",
+        threshold, up.count(), up_mm, down.count(), body.error().mean_mm);
+    EXPECT_LE(up.count(), row.paper.rotation_tets);
+    EXPECT_LE(up_mm, row.paper.mean_mm);
+    EXPECT_LE(body.error().mean_mm, row.paper.mean_mm);
+    EXPECT_LE(down.count(), 1.3 * up.count());
+  }
+}
+
 /// Both ends held, the middle of a long face pressed in by 20 mm: a local load needs its groups where it is.
 TEST(RotationFront, OfRemainingRotationResolvesAnIndentation) {
   const reference::Mesh& mesh = bar_tree().mesh;

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "support/bodies.hpp"
+#include "support/forests.hpp"
 #include "support/random.hpp"
 #include "support/soak.hpp"
 
 namespace palpate::test {
 namespace {
 
-using Profile = Small;
+using Profile = WithFullCorotation<Small>;
 using Eigen::Vector3d;
 
 /// A tool that goes from place to place near the body at up to `speed_m_s`.

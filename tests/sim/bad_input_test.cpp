@@ -25,7 +25,7 @@ TEST_P(BadFlag, IsRefusedWithOneLine) {
 }
 
 constexpr Case kFlags[] = {
-    {"NoCommand", "", "compare, hil, model, paper and run"},
+    {"NoCommand", "", "compare, hil, model, paper, run and table1"},
     {"UnknownCommand", "frobnicate", "there is no command 'frobnicate'"},
     {"UnknownScenario", "run cuboid", "choose cuboid-bend, cuboid-sine, grasp"},
     {"NoScenario", "run", "scenario is required"},
@@ -64,6 +64,13 @@ constexpr Case kFlags[] = {
     {"OutIsNoFolder", "run cuboid-sine --out /dev/null", "is not a folder"},
     {"PaperIntoAFile", "paper --quick --out /dev/null", "is not a folder"},
     {"PaperUnknownFlag", "paper --quicker", "it takes --help, --out, --quick"},
+    {"TwistOutOfRange", "run cuboid-bend --twist 181", "0 .. 180 deg"},
+    {"Table1AngleOutOfRange", "table1 --angle 181", "0 .. 180 deg"},
+    {"Table1NegativeTwist", "table1 --twist=-1", "0 .. 180 deg"},
+    {"Table1AngleAndTwist", "table1 --angle 90 --twist 0", "--angle or --twist, not both"},
+    {"Table1EmptyPath", "table1 --out ''", "a path"},
+    {"Table1UnknownFlag", "table1 --level 3", "it takes --help, --angle, --twist, --out"},
+    {"Table1OutIsNoFolder", "table1 --quick --out /dev/null", "is not a folder"},
     {"CompareOne", "compare a", "B is required"},
     {"CompareNoFolder", "compare a b", "'a' is not a folder"},
     {"CompareNoRun", "compare / /", "no run"},

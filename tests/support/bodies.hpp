@@ -37,12 +37,20 @@ TickOutput tick_once(State<Profile>& state, const TickInput& input) {
   return output;
 }
 
-/// The paper's bar, coarse: quick to step.
+/// Forces at the nodes' positions, and what they show of each group. Returns the number of clamped leaves.
+template <class Profile>
+uint32_t evaluate_forces(State<Profile>& state) {
+  GroupForces<Profile> forces(state.forest, state.front, state.groups, state.model.materials, state.frame);
+  return forces.template evaluate<Observe::kYes>(state.forest.node.position);
+}
+
+/// The paper's bar, coarse: quick to step. Full corotation, so its profile needs a group a leaf.
 inline sim::ModelParameters coarse_bar(double density_kg_m3, int substeps) {
   sim::ModelParameters parameters;
   parameters.level = 3;
   parameters.regions[0].density_kg_m3 = density_kg_m3;
   parameters.substeps = substeps;
+  parameters.remesh.rotation = RotationCriterion::kFull;
   return parameters;
 }
 

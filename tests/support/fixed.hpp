@@ -1,6 +1,8 @@
 // Between Eigen's doubles and the core's vectors and matrices of Q.
 #pragma once
 
+#include <Eigen/Dense>
+
 #include "palpate/elastic/rotation_extraction.hpp"
 #include "units.hpp"
 

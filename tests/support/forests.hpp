@@ -19,8 +19,19 @@ struct TestProfile {
   static constexpr const char* kName = "test";
   static constexpr uint16_t kLeaves = Leaves;
   static constexpr uint16_t kNodes = Nodes;
-  static constexpr uint16_t kGroups = Leaves;
+  static constexpr uint16_t kGroups = Leaves < 12000 ? Leaves : 12000;
   static constexpr uint8_t kMaxLevel = MaxLevel;
+  static constexpr uint32_t kPatches = 4;
+  static constexpr uint32_t kTetsSplit = 32;
+  static constexpr uint32_t kTetsMerged = 32;
+  static constexpr uint32_t kRotationChanges = 64;
+  static constexpr uint16_t kTethers = 64;
+};
+
+/// A profile with a group for every leaf, as full corotation needs.
+template <class Profile>
+struct WithFullCorotation : Profile {
+  static constexpr uint16_t kGroups = Profile::kLeaves;
 };
 
 using Bar = TestProfile<1152, 512, 9>;

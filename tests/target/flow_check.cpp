@@ -74,7 +74,10 @@ class Cycles {
 }  // namespace
 
 FlowCheck::FlowCheck(const std::string& elf_path) : functions_(read_functions(elf_path)) {
-  for (const FlowFactRecord& fact : ElfFile(elf_path).flow_facts()) facts_[fact.pc] = fact;
+  for (const FlowFactRecord& fact : ElfFile(elf_path).flow_facts()) {
+    facts_[fact.pc] = fact;
+    if (fact.kind == kEnter) entered_.insert(fact.id);
+  }
 }
 
 std::vector<std::string> FlowCheck::problems_below(const std::string& root) {
@@ -163,8 +166,10 @@ void FlowCheck::add_jump(Graph& graph, size_t node) {
   }
 }
 
-// A cycle is bounded when it passes a body whose loop is entered outside of it. What is left of the cycles
-// without these bodies must be bounded in the same way: so an inner loop's fact never excuses an outer loop.
+// A cycle is bounded when it passes a body whose loop is entered outside of it: in this function, or, where
+// nested loops share a total (palpate/numeric/bounded.hpp), in one that made the total. What is left of the
+// cycles without these bodies must be bounded in the same way: so an inner loop's fact never excuses an outer
+// loop.
 void FlowCheck::examine_loops(const Graph& graph, const Nodes& nodes) {
   const std::vector<Instruction>& code = graph.function->code;
   const Cycles cycles(graph.successors, nodes);
@@ -185,19 +190,18 @@ void FlowCheck::examine_loops(const Graph& graph, const Nodes& nodes) {
 }
 
 FlowCheck::Nodes FlowCheck::bounded_bodies(const Graph& graph, const Nodes& loop) const {
-  std::set<uint32_t> entered;
   std::set<uint32_t> entered_inside;
   std::map<size_t, uint32_t> bodies;
   for (size_t node = 0; node < graph.successors.size(); ++node) {
     const auto fact = facts_.find(graph.function->code[node].address);
     if (fact == facts_.end()) continue;
     const auto& [kind, id, pc, bound] = fact->second;
-    if (kind == kEnter) (loop.count(node) == 0 ? entered : entered_inside).insert(id);
+    if (kind == kEnter && loop.count(node) != 0) entered_inside.insert(id);
     if (kind == kBody && loop.count(node) != 0) bodies[node] = id;
   }
   Nodes bounded;
   for (const auto& [node, id] : bodies) {
-    if (entered.count(id) != 0 && entered_inside.count(id) == 0) bounded.insert(node);
+    if (entered_.count(id) != 0 && entered_inside.count(id) == 0) bounded.insert(node);
   }
   return bounded;
 }

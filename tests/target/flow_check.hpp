@@ -42,6 +42,7 @@ class FlowCheck {
 
   std::map<uint32_t, Function> functions_;
   std::map<uint32_t, FlowFactRecord> facts_;  // by pc
+  std::set<uint32_t> entered_;                // ids of all loops and totals that are entered somewhere
   std::map<uint32_t, bool> visited_;          // by address of the function; true: all below it is examined
   std::vector<std::string> problems_;
   size_t loops_with_fact_ = 0;

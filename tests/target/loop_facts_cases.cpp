@@ -18,6 +18,34 @@ PALPATE_CASE void bounded_loops(uint32_t count) {
   }
 }
 
+struct Place {};
+using Total = decltype(bounded_total<20>(Place{}));
+
+PALPATE_CASE void take_from(Total& total, uint32_t count) {
+  for ([[maybe_unused]] const uint32_t i : total.take(0, count)) keep();
+}
+
+PALPATE_CASE void shared_total(uint32_t count) {
+  Total total = bounded_total<20>(Place{});
+  for ([[maybe_unused]] const uint32_t i : bounded<7>(count, [] {})) take_from(total, count);
+}
+
+struct NobodysPlace {};
+using NobodysTotal = decltype(bounded_total<20>(NobodysPlace{}));
+
+// Nothing in the program makes such a total.
+PALPATE_CASE void take_from_nobody(NobodysTotal& total) {
+  for ([[maybe_unused]] const uint32_t i : total.take(0, 5)) keep();
+}
+
+// Each round makes a total of its own.
+PALPATE_CASE void total_in_a_loop_without_fact(uint32_t count) {
+  for (uint32_t i = 0; i < count; ++i) {
+    auto total = bounded_total<20>([] {});
+    for ([[maybe_unused]] const uint32_t j : total.take(0, count)) keep();
+  }
+}
+
 PALPATE_CASE void loop_without_fact(uint32_t count) {
   for (uint32_t i = 0; i < count; ++i) keep();
 }
@@ -85,6 +113,10 @@ void on_tick() {}
 // The linker keeps what is called.
 void run_firmware() {
   cases::bounded_loops(5);
+  cases::shared_total(5);
+  cases::total_in_a_loop_without_fact(5);
+  uint32_t nobodys[1] = {0};
+  cases::take_from_nobody(*reinterpret_cast<cases::NobodysTotal*>(nobodys));
   cases::outer_loop_without_fact(5);
   cases::callee_without_fact(5);
   cases::recursion(5);

@@ -52,6 +52,10 @@ TEST(Checker, AcceptsBoundedLoops) {
   EXPECT_EQ(problems_of_case("palpate::cases::bounded_loops(unsigned long)"), "");
 }
 
+TEST(Checker, AcceptsLoopsThatShareATotal) {
+  EXPECT_EQ(problems_of_case("palpate::cases::shared_total(unsigned long)"), "");
+}
+
 TEST(Checker, AcceptsABackwardBranchWithoutLoop) {
   EXPECT_EQ(problems_of_case("backward_branch_without_loop"), "");
 }
@@ -62,6 +66,9 @@ TEST(Checker, FindsLoopsWithoutFact) {
   expect_problem("palpate::cases::outer_loop_without_fact(unsigned long)", found);
   expect_problem("palpate::cases::callee_without_fact(unsigned long)",
                  "loop_without_fact(unsigned long) at 0x");
+  expect_problem(
+      "palpate::cases::take_from_nobody(palpate::BoundedTotal<20ul, palpate::cases::NobodysPlace>&)", found);
+  expect_problem("palpate::cases::total_in_a_loop_without_fact(unsigned long)", found);
   expect_problem("loop_past_a_predicated_return", found);
   expect_problem("loop_behind_a_table", found);
 }

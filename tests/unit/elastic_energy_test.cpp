@@ -25,7 +25,7 @@ const std::vector<Shape>& shapes() {
 Material material_of(double nu) {
   const reference::Material exact = reference::material_of(1.0, nu, 1.0);
   return Material{sim::to_fixed<ShearCoefficient>(exact.mu / 6.0),
-                  sim::to_fixed<BulkCoefficient>(exact.lambda / 12.0)};
+                  sim::to_fixed<BulkCoefficient>(exact.lambda / 6.0)};
 }
 
 struct Result {

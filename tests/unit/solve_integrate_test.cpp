@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "support/bodies.hpp"
+#include "support/forests.hpp"
 #include "support/random.hpp"
 
 namespace palpate::test {
 namespace {
 
-using Profile = Small;
+using Profile = WithFullCorotation<Small>;
 using Eigen::Vector3d;
 
 /// Random elastic-looking forces on every node.
@@ -28,7 +29,7 @@ class Integrate : public testing::TestWithParam<int> {
 
   void run_tick(const HoldMotions& motions, const DrivenNode& driven) {
     advance(
-        state_->model.dynamics, [&] { push(state_->forest, random_, 0.1); },
+        state_->model.dynamics, [&](uint32_t) { push(state_->forest, random_, 0.1); },
         [&](uint32_t remaining) {
           integrate_substep(state_->forest, state_->model.dynamics, motions, driven, remaining, state_->solve,
                             state_->clamps);

@@ -8,7 +8,7 @@
 namespace palpate::test {
 namespace {
 
-using Profile = Small;
+using Profile = WithFullCorotation<Small>;
 using Eigen::Vector3d;
 
 constexpr LatticePoint kFreeCorner{16, 16, 48};

@@ -2,13 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "support/bodies.hpp"
+#include "support/forests.hpp"
 #include "support/random.hpp"
 #include "support/soak.hpp"
 
 namespace palpate::test {
 namespace {
 
-using Profile = Small;
+using Profile = WithFullCorotation<Small>;
 using Eigen::Vector3d;
 
 /// Momentum in the masses that the integrator uses (1 / impulse): only the rounding of velocities can change

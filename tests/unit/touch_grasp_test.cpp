@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/bodies.hpp"
+#include "support/forests.hpp"
 #include "support/random.hpp"
 
 namespace palpate::test {
@@ -15,8 +16,9 @@ class GraspTest : public testing::Test {
   GraspTest() : forest_(roots_and_level_3()) {}
 
   static std::unique_ptr<Forest<Small>> roots_and_level_3() {
-    auto state = started<Small>(compile_model(coarse_bar(1000.0, 1)));
-    return std::make_unique<Forest<Small>>(state->forest);
+    auto forest = roots_of<Small>(bar_block());
+    EXPECT_EQ(refine_uniformly(*forest, 3), MeshStatus::kDone);
+    return forest;
   }
 
   void update(const Vector3d& tool, bool close) {

@@ -29,7 +29,7 @@ struct EdgeForces {
 };
 
 /// lambda tr(e), from A.
-inline Stress pressure(const Matrix3<Strain>& a, const Material& material, uint32_t& clamped) {
+PALPATE_ALWAYS_INLINE Stress pressure(const Matrix3<Strain>& a, const Material& material, uint32_t& clamped) {
   const Strain trace = a(0, 0) + a(1, 1) + a(2, 2) - Strain::ratio(3, 1);
   const Strain within = clamp(trace, -kTraceLimit, kTraceLimit);
   clamped |= static_cast<uint32_t>(trace.raw() ^ within.raw());
@@ -39,8 +39,8 @@ inline Stress pressure(const Matrix3<Strain>& a, const Material& material, uint3
 
 /// The symmetric sigma as a full matrix. `clamped` collects a non-zero bit when trace or stress was. 7
 /// multiplies.
-inline Matrix3<Stress> corotated_stress(const Matrix3<Strain>& a, const Material& material,
-                                        uint32_t& clamped) {
+PALPATE_ALWAYS_INLINE Matrix3<Stress> corotated_stress(const Matrix3<Strain>& a, const Material& material,
+                                                       uint32_t& clamped) {
   const Stress p = pressure(a, material, clamped);
   const auto limited = [&clamped](Stress sigma) {
     const Stress within = clamp(sigma, -kStressLimit, kStressLimit);
@@ -51,7 +51,9 @@ inline Matrix3<Stress> corotated_stress(const Matrix3<Strain>& a, const Material
     const Strain twice_strain = stretch + stretch - Strain::ratio(2, 1);
     return limited(narrow<Stress>(twice_strain * material.shear) + p);
   };
-  const auto tangential = [&](Strain b, Strain c) { return limited(narrow<Stress>((b + c) * material.shear)); };
+  const auto tangential = [&](Strain b, Strain c) {
+    return limited(narrow<Stress>((b + c) * material.shear));
+  };
   Matrix3<Stress> sigma;
   sigma(0, 0) = normal(a(0, 0));
   sigma(1, 1) = normal(a(1, 1));

@@ -2,6 +2,7 @@
 // then needs differences, shifts and 7 multiplies, and the sums are rotated back once a node and group.
 #pragma once
 
+#include "palpate/elastic/leaf_force.hpp"
 #include "palpate/elastic/misfit.hpp"
 
 namespace palpate {
@@ -48,7 +49,9 @@ struct Observation {
   Matrix3<Strain> mean;
   MisfitSums misfit;
 
-  Observation() : mean(Matrix3<Strain>::Constant(Strain::from_raw(0))) {}
+  Observation() {
+    for (const uint32_t i : bounded<9>(9, [] {})) mean.data()[i] = Strain::from_raw(0);
+  }
   /// A leaf `depth` levels below the group's tet.
   void add(const Matrix3<Strain>& a, uint32_t path, uint32_t depth) {
     const int32_t half = static_cast<int32_t>((uint32_t{1} << depth) >> 1);
@@ -113,19 +116,18 @@ class GroupForces {
     uint32_t clamped_leaves = 0;
     for (const uint32_t k : leaves.take(span.begin, span.count)) {
       const Leaf& leaf = forest_.leaf[front_.leaf_order[k]];
-      const TetType type = type_of_level(leaf.level);
-      const auto& y = frame_.position;
-      const EdgeVectors edges =
-          edge_vectors(type, y[leaf.node[0]], y[leaf.node[1]], y[leaf.node[2]], y[leaf.node[3]]);
       uint32_t clamped = 0;
-      const Matrix3<Strain> a = gradient_of(edges, leaf.axes, leaf.level, clamped);
-      if constexpr (kObserve == Observe::kYes) {
-        seen.add(a, leaf.path, static_cast<uint32_t>(leaf.level - group_level));
+      switch (type_of_level(leaf.level)) {
+        case TetType::kType0:
+          add_leaf<TetType::kType0, kObserve>(leaf, group_level, seen, clamped);
+          break;
+        case TetType::kType1:
+          add_leaf<TetType::kType1, kObserve>(leaf, group_level, seen, clamped);
+          break;
+        default:
+          add_leaf<TetType::kType2, kObserve>(leaf, group_level, seen, clamped);
+          break;
       }
-      const EdgeForces t =
-          edge_forces(corotated_stress(a, materials_[leaf.region], clamped), leaf.axes, leaf.level);
-      auto& f = frame_.force;
-      add_nodal_forces(type, t, f[leaf.node[0]], f[leaf.node[1]], f[leaf.node[2]], f[leaf.node[3]]);
       clamped_leaves += clamped != 0 ? 1u : 0u;
     }
     if constexpr (kObserve == Observe::kYes) {
@@ -133,6 +135,20 @@ class GroupForces {
       seen.misfit.finish(group_level, groups_.misfit[group], groups_.misfit_left[group]);
     }
     return clamped_leaves;
+  }
+
+  template <TetType kType, Observe kObserve>
+  PALPATE_ALWAYS_INLINE void add_leaf(const Leaf& leaf, uint8_t group_level,
+                                      group_forces_detail::Observation& seen, uint32_t& clamped) {
+    const auto& y = frame_.position;
+    auto& f = frame_.force;
+    LeafForce<kType> force(leaf.axes, leaf.level);
+    force.gather(y[leaf.node[0]], y[leaf.node[1]], y[leaf.node[2]], y[leaf.node[3]], clamped);
+    if constexpr (kObserve == Observe::kYes) {
+      seen.add(force.gradient(), leaf.path, static_cast<uint32_t>(leaf.level - group_level));
+    }
+    force.scatter(materials_[leaf.region], f[leaf.node[0]], f[leaf.node[1]], f[leaf.node[2]], f[leaf.node[3]],
+                  clamped);
   }
 
   /// Rotates the sums back. Rounding leaves a net force of some LSB, which the group's first node takes back.

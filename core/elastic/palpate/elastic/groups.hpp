@@ -1,8 +1,9 @@
-// What elasticity keeps for each group of the rotation front: two rotations, and what the last observing force
-// evaluation saw of it.
+// What elasticity keeps for each group of the rotation front: two rotations, and what the last observing
+// force evaluation saw of it.
 //
-// `extracted` is the rotation of the group's mean deformation gradient, warm-started from tick to tick. Forces
-// use `used`, which goes to it over kBlendTicks whenever the front changes there, so that no force jumps.
+// `extracted` is the rotation of the group's mean deformation gradient, warm-started from tick to tick.
+// Forces use `used`, which goes to it over kBlendTicks whenever the front changes there, so that no force
+// jumps.
 #pragma once
 
 #include "palpate/elastic/rotation_extraction.hpp"
@@ -13,8 +14,9 @@ namespace palpate {
 /// Ticks from the parent's rotation to a new group's own, and back before two groups are joined.
 inline constexpr uint8_t kBlendTicks = 32;
 
-/// What part of the way that is left is gone in a tick, by the ticks left: together they are s(t) = 3 t^2 - 2 t^3 of
-/// the whole way, so that the rotation neither starts nor stops with a jerk, which would be felt as a kick.
+/// What part of the way that is left is gone in a tick, by the ticks left: together they are s(t) = 3 t^2 - 2
+/// t^3 of the whole way, so that the rotation neither starts nor stops with a jerk, which would be felt as a
+/// kick.
 inline constexpr std::array<RotationEntry, kBlendTicks + 1> kBlendParts = [] {
   constexpr int64_t kWhole = int64_t{kBlendTicks} * kBlendTicks * kBlendTicks;
   const auto gone = [](int64_t ticks) { return 3 * ticks * ticks * kBlendTicks - 2 * ticks * ticks * ticks; };
@@ -22,12 +24,14 @@ inline constexpr std::array<RotationEntry, kBlendTicks + 1> kBlendParts = [] {
   parts[0] = RotationEntry::ratio(1, 1);
   for (int64_t left = 1; left <= kBlendTicks; ++left) {
     const int64_t before = gone(kBlendTicks - left);
-    parts[static_cast<std::size_t>(left)] = RotationEntry::ratio(gone(kBlendTicks - left + 1) - before, kWhole - before);
+    parts[static_cast<std::size_t>(left)] =
+        RotationEntry::ratio(gone(kBlendTicks - left + 1) - before, kWhole - before);
   }
   return parts;
 }();
 
-/// How wrong it is to turn all leaves of a group alike, times the group's volume in roots; 0 .. 0.5, LSB 2^-32.
+/// How wrong it is to turn all leaves of a group alike, times the group's volume in roots; 0 .. 0.5, LSB
+/// 2^-32.
 using Misfit = Q<-1, 32>;
 
 template <class Profile>
@@ -85,8 +89,9 @@ void take_over_rotation(Groups<Profile>& groups, uint16_t group, uint16_t gone) 
   groups.blend[group] = kBlendTicks;
 }
 
-/// One extraction step a group, then one blending step. Of two groups about to be joined the first holds their
-/// parent's rotation, and both go to it. At most two ticks' worth of extraction: 130 multiplies a group.
+/// One extraction step a group, then one blending step. Of two groups about to be joined the first holds
+/// their parent's rotation, and both go to it. At most two ticks' worth of extraction: 130 multiplies a
+/// group.
 template <class Profile>
 void update_rotations(const RotationFront<Profile>& front, Groups<Profile>& groups) {
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {

@@ -1,16 +1,18 @@
-// The misfit of a group: what is lost by turning all of its leaves alike, and thus how much there is to gain from
-// splitting it. It falls out of the force loop.
+// The misfit of a group: what is lost by turning all of its leaves alike, and thus how much there is to gain
+// from splitting it. It falls out of the force loop.
 //
 // A leaf whose own rotation differs from its group's by an angle theta has, with A = R^T F,
 //   w = (A32 - A23, A13 - A31, A21 - A12) / 2,   |w| = sin theta,
-// and to second order a trace that is wrong by |w|^2: lambda |w|^2 of pressure that should not be. With W_j the sums
-// of V w over the four grandchildren of the group's tet and V in root volumes, a split removes
+// and to second order a trace that is wrong by |w|^2: lambda |w|^2 of pressure that should not be. With W_j
+// the sums of V w over the four grandchildren of the group's tet and V in root volumes, a split removes
 //   D0 = |W_0 + W_1 - W_2 - W_3|^2 / V
-// of the sum S of V |w|^2, and splits of its halves (|W_0 - W_1|^2 + |W_2 - W_3|^2) / (V / 2) more. The misfit is
+// of the sum S of V |w|^2, and splits of its halves (|W_0 - W_1|^2 + |W_2 - W_3|^2) / (V / 2) more. The
+// misfit is
 //   M = 4 (D0 + a quarter of those + S / 32),
-// where S is there because mirror images of each other turn alike (D0 = 0) and would never be split otherwise. The
-// factor 4 is of |w|^2 against |A - A^T|. What two children leave in their parent follows without extracting the
-// parent's rotation: D0 = V |R_1 - R_2|_F^2 / 8 (with the norm of Tagawa et al., Eq. 3) and their own D0 and S.
+// where S is there because mirror images of each other turn alike (D0 = 0) and would never be split
+// otherwise. The factor 4 is of |w|^2 against |A - A^T|. What two children leave in their parent follows
+// without extracting the parent's rotation: D0 = V |R_1 - R_2|_F^2 / 8 (with the norm of Tagawa et al., Eq.
+// 3) and their own D0 and S.
 #pragma once
 
 #include "palpate/elastic/element_force.hpp"

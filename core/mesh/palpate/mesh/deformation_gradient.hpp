@@ -38,8 +38,8 @@ inline EdgeVectors edge_vectors(TetType type, const EdgeVector& w0, const EdgeVe
   }
 }
 
-/// An edge vector's component in units of h, +-g 2^size, within +-kStretchLimit: as it is, LSB 2^-27. `clamped`
-/// collects a non-zero bit when it was beyond.
+/// An edge vector's component in units of h, +-g 2^size, within +-kStretchLimit: as it is, LSB 2^-27.
+/// `clamped` collects a non-zero bit when it was beyond.
 inline Position stretch_of(Position g, uint32_t size, bool negative, uint32_t& clamped) {
   const int32_t limit = (int32_t{kStretchLimit} << Position::kFractionBits) >> size;
   const int32_t raw = g.raw();
@@ -50,8 +50,8 @@ inline Position stretch_of(Position g, uint32_t size, bool negative, uint32_t& c
   return Position::from_raw(negative ? -scaled : scaled);
 }
 
-/// The gradient of the map from rest to `edges`, LSB 2^-27: F itself, or R^T F when the edges are in a rotated
-/// frame. 9 clamped shifts, no multiply.
+/// The gradient of the map from rest to `edges`, LSB 2^-27: F itself, or R^T F when the edges are in a
+/// rotated frame. 9 clamped shifts, no multiply.
 inline Matrix3<Position> gradient_of(const EdgeVectors& edges, Axes axes, uint8_t level, uint32_t& clamped) {
   const uint32_t size = size_of_level(level);
   Matrix3<Position> f;

@@ -20,7 +20,8 @@ struct Tet {
   bool is_leaf;
 };
 
-struct Leaf {
+/// Whole words to the last byte, so that a copy needs no call.
+struct alignas(uint32_t) Leaf {
   std::array<uint16_t, 4> node;       // w0 .. w3 in bisection order (tet_shape.hpp)
   std::array<uint16_t, 4> neighbour;  // the leaf tet across the face opposite w_i, or kNone on the surface
   uint16_t tet;
@@ -29,6 +30,7 @@ struct Leaf {
   Axes axes;
   uint8_t level;
   uint8_t region;
+  uint16_t padding;
 };
 
 /// Which child of its ancestor at `level`, above its own, a leaf lies in.

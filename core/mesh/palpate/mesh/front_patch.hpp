@@ -27,17 +27,17 @@ inline void add_once(FrontPatch& patch, uint16_t tet) {
 
 }  // namespace front_patch_detail
 
-/// The tets at the level of `tet`, an internal one, around its refinement edge. kNotReady when one of them lies
-/// below a coarser tet of the front. O(8 x levels).
+/// The tets at the level of `tet`, an internal one, around its refinement edge. kNotReady when some of them
+/// lie below coarser tets of the front; those are left out. O(8 x levels).
 template <class Profile>
 [[nodiscard]] MeshStatus find_front_patch(const Forest<Profile>& forest, const RotationFront<Profile>& front,
                                           uint16_t tet, FrontPatch& patch) {
   const uint8_t level = forest.tet[tet].level;
   patch.count = 0;
   patch.blocker = kNone;
-  // First children keep vertex 0, and the edge's middle takes the place of its end in the first of them: further
-  // bisections halve the piece between these two places or leave it as it is.
-  Patch around{};
+  // First children keep vertex 0, and the edge's middle takes the place of its end in the first of them:
+  // further bisections halve the piece between these two places or leave it as it is.
+  Patch around;
   const uint16_t start = first_leaf(forest, tet);
   const MeshStatus walk = walk_around_edge(forest, start, refinement_end(type_of_level(level)), around,
                                            [](const Leaf&) { return true; });
@@ -46,11 +46,11 @@ template <class Profile>
     const uint16_t group = forest.leaf_of(around.tet[i]).group;
     if (forest.tet[front.tet[group]].level < level) {
       patch.blocker = group;
-      return MeshStatus::kNotReady;
+      continue;
     }
     front_patch_detail::add_once(patch, ancestor_at(forest, around.tet[i], level));
   }
-  return walk;
+  return patch.blocker == kNone ? walk : MeshStatus::kNotReady;
 }
 
 }  // namespace palpate

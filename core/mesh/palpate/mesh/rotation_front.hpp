@@ -1,17 +1,18 @@
 // The rotation front: the tets whose rotation is extracted, each a leaf or an ancestor of leaves. Such a tet
-// with its leaves is a group; every leaf belongs to exactly one. Splitting a group puts its tet's two children
-// on the front, joining is the inverse; neither changes the mesh.
+// with its leaves is a group; every leaf belongs to exactly one. Splitting a group puts its tet's two
+// children on the front, joining is the inverse; neither changes the mesh.
 //
-// Leaves and nodes of a group lie side by side in leaf_order and node_order, which index_groups rebuilds after
-// changes of the front or of the mesh. A group of n leaves has at most n + 3 nodes, so all lists are bounded.
+// Leaves and nodes of a group lie side by side in leaf_order and node_order, which index_groups rebuilds
+// after changes of the front or of the mesh. A group of n leaves has at most n + 3 nodes, so all lists are
+// bounded.
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
 
 namespace palpate {
 
-/// A part of leaf_order or node_order.
-struct Span {
+/// A part of leaf_order or node_order. A whole word, so that a copy needs no call.
+struct alignas(uint32_t) Span {
   uint16_t begin;
   uint16_t count;
 };
@@ -131,8 +132,9 @@ template <class Profile>
 }
 
 /// Puts the children of a group's tet, which must not be a leaf, on the front in its place: the group keeps
-/// child 0, a new one, which is returned, takes child 1. kNone, and nothing changed, when all groups are in use.
-/// `leaves` is a BoundedTotal that has the group's leaves left. Needs index_groups before the next change.
+/// child 0, a new one, which is returned, takes child 1. kNone, and nothing changed, when all groups are in
+/// use. `leaves` is a BoundedTotal that has the group's leaves left. Needs index_groups before the next
+/// change.
 template <class Profile, class Total>
 [[nodiscard]] uint16_t split_group(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_t group,
                                    Total& leaves) {

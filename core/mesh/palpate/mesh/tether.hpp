@@ -1,6 +1,6 @@
 // Tethers: what keeps a change of the mesh from being felt. A new node starts at the midpoint of its edge and
-// moves with it; its tether lets go over kTetherTicks. Before a node is merged, a tether draws it to the midpoint
-// over as many ticks. solve/tether_force.hpp makes the forces; here is the list.
+// moves with it; its tether lets go over kTetherTicks. Before a node is merged, a tether draws it to the
+// midpoint over as many ticks. solve/tether_force.hpp makes the forces; here is the list.
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
@@ -12,12 +12,14 @@ inline constexpr uint8_t kTetherTicks = 32;
 
 enum class TetherKind : uint8_t { kRelease, kDraw };
 
-struct Tether {
+/// Whole words to the last byte, so that a copy needs no call.
+struct alignas(uint32_t) Tether {
   uint16_t node;
   std::array<uint16_t, 2> end;  // of the edge whose midpoint the node is or was
   uint16_t tet;                 // one that the edge's bisection split
   uint8_t ticks_left;
   TetherKind kind;
+  uint16_t padding;
 };
 
 template <class Profile>

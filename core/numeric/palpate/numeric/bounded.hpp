@@ -72,8 +72,9 @@ constexpr BoundedRange<Max, Place> bounded(uint32_t count, Place) {
   return BoundedRange<Max, Place>(count);
 }
 
-/// What nested loops may do together: all loops over ranges taken from one BoundedTotal run at most Max times in
-/// all, as leaves of groups do whatever group they are in. Its flow fact is entered where the total is made.
+/// What nested loops may do together: all loops over ranges taken from one BoundedTotal run at most Max times
+/// in all, as leaves of groups do whatever group they are in. Its flow fact is entered where the total is
+/// made.
 template <uint32_t Max, class Place>
 class BoundedTotal {
  public:

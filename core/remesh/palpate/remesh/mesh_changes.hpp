@@ -1,7 +1,7 @@
-// Changes of the simulation front in one tick. Every leaf has an urgency, renewed in slices: how much it wants to be
-// split. The most urgent leaves are split, each with its whole patch, coarser patches first; a leaf that has to wait
-// keeps its urgency, which grows with every renewal, so none starves. Calm patches are merged, after their middle
-// node was drawn to where its removal changes nothing.
+// Changes of the simulation front in one tick. Every leaf has an urgency, renewed in slices: how much it
+// wants to be split. The most urgent leaves are split, each with its whole patch, coarser patches first; a
+// leaf that has to wait keeps its urgency, which grows with every renewal, so none starves. Calm patches are
+// merged, after their middle node was drawn to where its removal changes nothing.
 //
 // `Body` is what the solver knows and does; a struct with
 //   bool is_free(node)                                       nothing else moves it
@@ -9,6 +9,7 @@
 //   void before_removal(node, ends), void removed(ends)      around a merge
 #pragma once
 
+#include "palpate/mesh/patch.hpp"
 #include "palpate/mesh/rotation_front.hpp"
 #include "palpate/mesh/tether.hpp"
 #include "palpate/remesh/urgency.hpp"
@@ -58,27 +59,30 @@ class MeshChanges {
 
   void split_most_urgent() {
     MostUrgent<Profile> wanted;
-    uint32_t waiting = find_most_urgent(forest_, urgencies_, wanted);
+    waiting_ = find_most_urgent(forest_, urgencies_, wanted);
     uint32_t tets_left = Profile::kTetsSplit;
     for (const uint32_t i : bounded<Profile::kPatches>(wanted.count, [] {})) {
       const uint16_t tet = wanted.tet[i];
       if (!forest_.tet[tet].is_leaf) continue;  // split by an earlier patch
       urgencies_.split_at = static_cast<uint16_t>(forest_.tet[tet].link + 1);
       if (!split_towards(tet, tets_left)) break;
-      if (!forest_.tet[tet].is_leaf) --waiting;
     }
-    counters_.leaves_waiting = static_cast<uint16_t>(waiting);
-    if (waiting > 0 && flags_ == 0) flag(RemeshFlag::kPatchBudget);
+    counters_.leaves_waiting = static_cast<uint16_t>(waiting_);
+    if (waiting_ > 0 && flags_ == 0) flag(RemeshFlag::kPatchBudget);
   }
 
   /// Splits the patch of a leaf, or the coarser one in its way. False when nothing more can be split now.
   bool split_towards(uint16_t tet, uint32_t& tets_left) {
     Patch patch{};
     const MeshStatus found = find_ready_patch(forest_, tet, patch);
-    if (found != MeshStatus::kDone) return true;
+    if (found != MeshStatus::kDone || !stays_within_levels(patch)) {
+      urgencies_.of[tet] = Urgency::kBarred;
+      --waiting_;
+      return true;
+    }
     const Ends ends = edge_of(forest_.leaf_of(patch.tet[0]));
-    const bool tethered =
-        tethers_.find(ends[0]) != Tethers<Profile>::kNobody || tethers_.find(ends[1]) != Tethers<Profile>::kNobody;
+    const bool tethered = tethers_.find(ends[0]) != Tethers<Profile>::kNobody ||
+                          tethers_.find(ends[1]) != Tethers<Profile>::kNobody;
     if (tethered) return true;  // no edge is split at a slaved node
     if (patch.count > tets_left) return false;
     if (tethers_.is_full()) return refuse(RemeshFlag::kTethers);
@@ -95,6 +99,17 @@ class MeshChanges {
     return true;
   }
 
+  /// Also a coarser patch in a leaf's way, perhaps of another region, must not pass its region's finest
+  /// level.
+  [[nodiscard]] bool stays_within_levels(const Patch& patch) const {
+    bool stays = true;
+    for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      const Leaf& leaf = forest_.leaf_of(patch.tet[i]);
+      stays = stays && leaf.level < rules_.levels[leaf.region].most;
+    }
+    return stays;
+  }
+
   bool refuse(RemeshFlag which) {
     flag(which);
     return false;
@@ -102,14 +117,19 @@ class MeshChanges {
 
   void after_split(const Patch& patch, const Ends& ends) {
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      waiting_ -= urgencies_.of[patch.tet[i]] >= Urgency::kWanted ? 1u : 0u;
       urgencies_.of[forest_.child(patch.tet[i], 0)] = Urgency::kNeutral;
       urgencies_.of[forest_.child(patch.tet[i], 1)] = Urgency::kNeutral;
     }
     const uint16_t middle = middle_of(forest_.leaf_of(forest_.child(patch.tet[0], 0)));
     body_.added(middle, ends);
-    if (body_.is_free(middle)) tethers_.add(Tether{middle, ends, patch.tet[0], kTetherTicks, TetherKind::kRelease});
+    if (body_.is_free(middle)) tether(middle, ends, patch.tet[0], TetherKind::kRelease);
     counters_.bisected += patch.count;
     changed_ = true;
+  }
+
+  void tether(uint16_t middle, const Ends& ends, uint16_t tet, TetherKind kind) {
+    tethers_.add(Tether{middle, {ends[0], ends[1]}, tet, kTetherTicks, kind, 0});
   }
 
   void advance_tethers() {
@@ -132,11 +152,12 @@ class MeshChanges {
     }
   }
 
-  /// Merges around a node that has been drawn. False, with the tether turned into a release, when the patch is no
-  /// longer calm; false and as it was when the budget is used up.
+  /// Merges around a node that has been drawn. False, with the tether turned into a release, when the patch
+  /// is no longer calm; false and as it was when the budget is used up.
   bool merge_at(Tether& tether, uint32_t& tets_left) {
     Patch patch{};
-    if (!find_patch_around(tether, patch) || !may_merge(patch, Urgency::kNeutral)) {
+    if (!find_patch_around(tether, patch) || !may_merge(patch, Urgency::kNeutral) ||
+        would_split_again(patch, tether.end)) {
       tether.kind = TetherKind::kRelease;
       tether.ticks_left = kTetherTicks;
       return false;
@@ -156,14 +177,15 @@ class MeshChanges {
 
   /// The parents around a tethered node; false when one of their children was split.
   [[nodiscard]] bool find_patch_around(const Tether& tether, Patch& patch) const {
-    if (!forest_.pairs.is_live(static_cast<uint16_t>(tether.tet >> 1)) || forest_.tet[tether.tet].is_leaf) return false;
+    if (!forest_.pairs.is_live(static_cast<uint16_t>(tether.tet >> 1)) || forest_.tet[tether.tet].is_leaf)
+      return false;
     const uint16_t child = forest_.child(tether.tet, 0);
     if (!forest_.tet[child].is_leaf || middle_of(forest_.leaf_of(child)) != tether.node) return false;
     return find_merge(forest_, child, patch) == MeshStatus::kDone;
   }
 
-  /// Whether no child of these parents is more urgent than that, holds the pinned node, or is a rotation tet: such a
-  /// merge waits until the rotation front has risen.
+  /// Whether no child of these parents is more urgent than that, holds the pinned node, or is a rotation tet:
+  /// such a merge waits until the rotation front has risen.
   [[nodiscard]] bool may_merge(const Patch& patch, uint8_t most_urgent) const {
     bool may = true;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
@@ -175,6 +197,14 @@ class MeshChanges {
       }
     }
     return may;
+  }
+
+  /// Whether the edge that a merge restores is too long at once. The halves of the six edges are edges of the
+  /// children, but of the longest ones no leaf has looked at this.
+  [[nodiscard]] bool would_split_again(const Patch& patch, const Ends& ends) const {
+    if (rules_.criterion != StretchCriterion::kLongestEdge) return false;
+    const uint32_t size = size_of_level(forest_.tet[patch.tet[0]].level);
+    return edge_stretch(forest_.node, ends[0], ends[1], size) > rules_.split_above;
   }
 
   /// Starts to draw the middle nodes of calm patches.
@@ -197,14 +227,16 @@ class MeshChanges {
     const uint16_t middle = middle_of(leaf);
     Patch patch{};
     if (tethers_.find(middle) != Tethers<Profile>::kNobody) return;
-    if (find_merge(forest_, leaf.tet, patch) != MeshStatus::kDone || !may_merge(patch, Urgency::kCalm)) return;
+    if (find_merge(forest_, leaf.tet, patch) != MeshStatus::kDone || !may_merge(patch, Urgency::kCalm))
+      return;
     const Leaf& first = forest_.leaf_of(forest_.child(patch.tet[0], 0));
     const Leaf& second = forest_.leaf_of(forest_.child(patch.tet[0], 1));
     const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(first.level - 1)));
     const Ends ends{first.node[0], second.node[end - 1]};
     if (tethers_.find(ends[0]) != Tethers<Profile>::kNobody) return;
     if (tethers_.find(ends[1]) != Tethers<Profile>::kNobody) return;
-    tethers_.add(Tether{middle, ends, patch.tet[0], kTetherTicks, TetherKind::kDraw});
+    if (would_split_again(patch, ends)) return;
+    tether(middle, ends, patch.tet[0], TetherKind::kDraw);
   }
 
   Forest<Profile>& forest_;
@@ -215,6 +247,7 @@ class MeshChanges {
   uint16_t pinned_;
   Body& body_;
   RemeshCounters& counters_;
+  uint32_t waiting_ = 0;
   uint32_t flags_ = 0;
   bool changed_ = false;
 };

@@ -1,5 +1,5 @@
-// Changes of the rotation front in one tick: pairs that have blended to their parent's rotation are joined, the
-// worst groups are split, calm pairs start to blend. A group sleeps while it blends.
+// Changes of the rotation front in one tick: pairs that have blended to their parent's rotation are joined,
+// the worst groups are split, calm pairs start to blend. A group sleeps while it blends.
 //
 // `Rotations` is what elasticity knows and does; a struct with
 //   uint32_t split_measure(group)             larger is worse
@@ -116,7 +116,7 @@ class RotationChanges {
     uint32_t members = 0;
     uint32_t leaves = 0;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-      const uint16_t group = forest_.leaf_of(first_leaf(forest_, patch.tet[i])).group;
+      const uint16_t group = first_group(patch.tet[i]);
       if (front_.tet[group] != patch.tet[i]) continue;  // already split
       if (rotations_.changed_now(group)) return true;   // its lists are stale: next tick
       member[members] = group;
@@ -153,7 +153,7 @@ class RotationChanges {
     const uint16_t tet = front_.tet[group];
     if (forest_.parent_of(tet) == kNone) return kNone;
     const uint16_t sibling = Forest<Profile>::sibling(tet);
-    const uint16_t other = forest_.leaf_of(first_leaf(forest_, sibling)).group;
+    const uint16_t other = first_group(sibling);
     return front_.tet[other] == sibling ? other : kNone;
   }
 
@@ -193,18 +193,28 @@ class RotationChanges {
     --budget_;
   }
 
-  /// All pairs whose parents are around one edge, or none.
+  /// All pairs whose parents are around one edge, or none. Where the front is coarser already, none is
+  /// needed.
   void begin_patch(uint16_t parent) {
     FrontPatch patch{};
-    if (find_front_patch(forest_, front_, parent, patch) != MeshStatus::kDone || patch.count > budget_) return;
+    (void)find_front_patch(forest_, front_, parent, patch);
+    if (patch.count > budget_) return;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-      const uint16_t child = forest_.child(patch.tet[i], 0);
-      const uint16_t group = forest_.leaf_of(first_leaf(forest_, child)).group;
-      if (front_.tet[group] != child || !can_join(group)) return;
+      const uint16_t group = first_group(patch.tet[i]);
+      if (front_.tet[group] != patch.tet[i] && !is_first_child(group, patch.tet[i])) return;
+      if (front_.tet[group] != patch.tet[i] && !can_join(group)) return;
     }
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-      begin_join(forest_.leaf_of(first_leaf(forest_, patch.tet[i])).group);
+      const uint16_t group = first_group(patch.tet[i]);
+      if (front_.tet[group] != patch.tet[i]) begin_join(group);
     }
+  }
+
+  [[nodiscard]] uint16_t first_group(uint16_t tet) const {
+    return forest_.leaf_of(first_leaf(forest_, tet)).group;
+  }
+  [[nodiscard]] bool is_first_child(uint16_t group, uint16_t parent) const {
+    return front_.tet[group] == forest_.child(parent, 0);
   }
 
   Forest<Profile>& forest_;

@@ -15,9 +15,9 @@ enum class RotationCriterion : uint8_t {
 
 struct RotationRules {
   RotationCriterion criterion;
-  uint8_t start_level;    // of the rotation tets at start
-  uint32_t split_above;   // raw: of Q<4, 27> for siblings (F_max), of Misfit for misfits
-  uint32_t join_below;    // the same (F_min)
+  uint8_t start_level;   // of the rotation tets at start
+  uint32_t split_above;  // raw: of Q<4, 27> for siblings (F_max), of Misfit for misfits
+  uint32_t join_below;   // the same (F_min)
 };
 
 /// What makes a leaf too coarse, as (l / l0)^2 - 1 of edges, or as a difference of Green strains.
@@ -46,7 +46,7 @@ struct RemeshRules {
 
 /// What happened since start, and what could not.
 struct RemeshCounters {
-  uint32_t bisected, merged;            // tets
+  uint32_t bisected, merged;  // tets
   uint32_t groups_split, groups_joined;
   uint16_t leaves_waiting, groups_waiting;  // in the last tick: wanted and not yet done
 };

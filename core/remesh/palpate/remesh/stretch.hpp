@@ -16,9 +16,9 @@ namespace stretch_detail {
 inline constexpr uint32_t kMostQuarters = 12;
 using Inverse = Q<0, 31>;
 inline constexpr std::array<Inverse, kMostQuarters + 1> kInverse = {
-    Inverse::from_raw(0),   Inverse::max(),         Inverse::ratio(1, 2),  Inverse::ratio(1, 3),
-    Inverse::ratio(1, 4),   Inverse::ratio(1, 5),   Inverse::ratio(1, 6),  Inverse::ratio(1, 7),
-    Inverse::ratio(1, 8),   Inverse::ratio(1, 9),   Inverse::ratio(1, 10), Inverse::ratio(1, 11),
+    Inverse::from_raw(0), Inverse::max(),       Inverse::ratio(1, 2),  Inverse::ratio(1, 3),
+    Inverse::ratio(1, 4), Inverse::ratio(1, 5), Inverse::ratio(1, 6),  Inverse::ratio(1, 7),
+    Inverse::ratio(1, 8), Inverse::ratio(1, 9), Inverse::ratio(1, 10), Inverse::ratio(1, 11),
     Inverse::ratio(1, 12)};
 
 /// |a - b|^2 of two rest points, in quarters of h^2.
@@ -82,9 +82,10 @@ template <class Profile>
 Matrix3<Q<6, 25>> cauchy_green(const Forest<Profile>& forest, const Leaf& leaf) {
   const auto& x = forest.node.position;
   uint32_t clamped = 0;
-  const DeformationGradient f = deformation_gradient(
-      edge_vectors(type_of_level(leaf.level), x[leaf.node[0]], x[leaf.node[1]], x[leaf.node[2]], x[leaf.node[3]]),
-      leaf.axes, leaf.level, clamped);
+  const DeformationGradient f =
+      deformation_gradient(edge_vectors(type_of_level(leaf.level), x[leaf.node[0]], x[leaf.node[1]],
+                                        x[leaf.node[2]], x[leaf.node[3]]),
+                           leaf.axes, leaf.level, clamped);
   return narrow<Q<6, 25>>(f.transpose() * f);
 }
 

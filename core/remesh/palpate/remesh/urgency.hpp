@@ -1,4 +1,5 @@
-// How much each leaf wants to be split, renewed in slices of the mesh, and the search for the leaves that want it most.
+// How much each leaf wants to be split, renewed in slices of the mesh, and the search for the leaves that
+// want it most.
 #pragma once
 
 #include "palpate/remesh/stretch.hpp"
@@ -13,12 +14,14 @@ template <class Profile>
 struct Urgencies {
   static constexpr uint8_t kCalm = 0;     // may be merged
   static constexpr uint8_t kNeutral = 1;  // as it should be, or not looked at yet
-  static constexpr uint8_t kWanted = 2;   // and more: wants to be split
+  static constexpr uint8_t kBarred =
+      2;  // wants to be split, but a level in its patch's way may not be passed
+  static constexpr uint8_t kWanted = 3;  // and more: wants to be split
   static constexpr uint8_t kMost = 255;
   static constexpr uint32_t kSlice = (Profile::kLeaves + kSweepTicks - 1) / kSweepTicks;
 
   std::array<uint8_t, Forest<Profile>::kTets> of;  // of leaf tets
-  uint16_t sweep_at;  // the leaf whose urgency is renewed next
+  uint16_t sweep_at;                               // the leaf whose urgency is renewed next
   uint16_t split_at;  // where the search for the most urgent leaf starts: after the last one found
   uint16_t merge_at;  // where the search for calm patches goes on
 
@@ -48,16 +51,18 @@ StretchMeasure stretch_measure(const Forest<Profile>& forest, const Leaf& leaf, 
 /// `before`: its last one. A leaf that has to wait becomes a little more urgent with every renewal. Leaves at
 /// `pinned` go to their finest level.
 template <class Profile>
-uint8_t urgency_of(const Forest<Profile>& forest, const Leaf& leaf, const StretchRules& rules, uint16_t pinned,
-                   uint8_t before) {
+uint8_t urgency_of(const Forest<Profile>& forest, const Leaf& leaf, const StretchRules& rules,
+                   uint16_t pinned, uint8_t before) {
   using Urgency = Urgencies<Profile>;
-  const LevelRange levels = rules.levels[leaf.region];
+  const LevelRange& levels = rules.levels[leaf.region];
   const bool may_split = leaf.level < levels.most;
-  if (touches(leaf, pinned)) return may_split ? Urgency::kMost : Urgency::kNeutral;
-  if (leaf.level < levels.least) return Urgency::kMost;
+  const uint8_t most = before == Urgency::kBarred ? Urgency::kWanted : Urgency::kMost;
+  if (touches(leaf, pinned)) return may_split ? most : Urgency::kNeutral;
+  if (leaf.level < levels.least) return most;
   const StretchMeasure stretch = stretch_measure(forest, leaf, rules.criterion);
   if (stretch < rules.merge_below) return leaf.level > levels.least ? Urgency::kCalm : Urgency::kNeutral;
   if (stretch <= rules.split_above || !may_split) return Urgency::kNeutral;
+  if (before == Urgency::kBarred) return Urgency::kWanted;  // behind all others
   const uint32_t excess = class_of(static_cast<uint32_t>(stretch.raw())) -
                           class_of(static_cast<uint32_t>(rules.split_above.raw()));
   const uint32_t fresh = Urgency::kWanted + excess;
@@ -102,8 +107,8 @@ struct MostUrgent {
   }
 };
 
-/// Goes through all leaves, from split_at on, so that equally urgent ones take turns. Returns how many want to be
-/// split.
+/// Goes through all leaves, from split_at on, so that equally urgent ones take turns. Returns how many want
+/// to be split.
 template <class Profile>
 uint32_t find_most_urgent(const Forest<Profile>& forest, Urgencies<Profile>& urgencies,
                           MostUrgent<Profile>& wanted) {

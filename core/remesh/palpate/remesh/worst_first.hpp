@@ -1,5 +1,5 @@
-// The worst of many within a budget, in two passes over all of them and no sorting: count them by class, find the
-// class down to which the budget reaches, take those.
+// The worst of many within a budget, in two passes over all of them and no sorting: count them by class, find
+// the class down to which the budget reaches, take those.
 #pragma once
 
 #include "palpate/numeric/bounded.hpp"

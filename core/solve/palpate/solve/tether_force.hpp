@@ -1,11 +1,11 @@
-// Forces of tethers (mesh/tether.hpp), added to the elastic ones before a substep. With d the node's offset from
-// the midpoint of its edge's ends a and b, u = v - (v_a + v_b) / 2 its rate after the substep without the tether,
-// and S = w + w_a / 4 + w_b / 4 the rate that a unit force on the node gives it (w: Impulse, 0 for ends that
-// something else moves), the force on the node is
+// Forces of tethers (mesh/tether.hpp), added to the elastic ones before a substep. With d the node's offset
+// from the midpoint of its edge's ends a and b, u = v - (v_a + v_b) / 2 its rate after the substep without
+// the tether, and S = w + w_a / 4 + w_b / 4 the rate that a unit force on the node gives it (w: Impulse, 0
+// for ends that something else moves), the force on the node is
 //   F = - k u / S                 release: k goes from 1 - 2^-8 to 1/2, then the tether is gone
 //   F = - (u + d / substeps left) / S    draw: the node is at the midpoint in the end
-// and the ends take half of -F each: linear momentum is exact. A release is an inelastic impulse, which never adds
-// kinetic energy. The reaction of a grasped end holds its share of F.
+// and the ends take half of -F each: linear momentum is exact. A release is an inelastic impulse, which never
+// adds kinetic energy. The reaction of a grasped end holds its share of F.
 #pragma once
 
 #include "palpate/mesh/tether.hpp"
@@ -55,17 +55,16 @@ class TetherForces {
     const Impulse w = mobility(tether.node);
     const Impulse w0 = mobility(tether.end[0]);
     const Impulse w1 = mobility(tether.end[1]);
-    const Acc<Impulse::kFractionBits> s = Acc<Impulse::kFractionBits>::from_raw(
-        int64_t{w.raw()} + ((int64_t{w0.raw()} + w1.raw()) >> 2));
+    const Acc<Impulse::kFractionBits> s =
+        Acc<Impulse::kFractionBits>::from_raw(int64_t{w.raw()} + ((int64_t{w0.raw()} + w1.raw()) >> 2));
     if (s.raw() == 0) return;
     const auto inverse = tether_detail::inverse_of(s);
     const Q<0, 31> part = part_of(substeps_left);
     for (const uint32_t axis : bounded<3>(3, [] {})) {
       const auto a = static_cast<Eigen::Index>(axis);
       const Velocity u = rate(tether, a);
-      const Velocity wanted = tether.kind == TetherKind::kRelease
-                                  ? released(u, tether.ticks_left)
-                                  : drawn(u, offset(tether, a), part);
+      const Velocity wanted = tether.kind == TetherKind::kRelease ? released(u, tether.ticks_left)
+                                                                  : drawn(u, offset(tether, a), part);
       const Force on_node = tether_detail::force_for(wanted, inverse);
       const Force half = Force::from_raw(on_node.raw() >> 1);
       node_.force[tether.node][a] += on_node;
@@ -76,8 +75,8 @@ class TetherForces {
 
  private:
   [[nodiscard]] Impulse mobility(uint16_t node) const {
-    const bool free = solve_.control[node] == NodeControl::kFree && node != driven_;
-    return free ? solve_.impulse[node] : Impulse::from_raw(0);
+    const bool is_free = solve_.control[node] == NodeControl::kFree && node != driven_;
+    return is_free ? solve_.impulse[node] : Impulse::from_raw(0);
   }
   /// Velocity after the substep, without damping.
   [[nodiscard]] Acc<53> next(uint16_t node, Eigen::Index a) const {
@@ -129,9 +128,9 @@ void add_tether_forces(Forest<Profile>& forest, const SolveState<Profile>& solve
   }
 }
 
-/// A node that a merge is about to remove gives half of its mass to each end of its edge, and its momentum with
-/// it: v_a' = v_a + (v - v_a) m/2 / (m_a + m/2). Momentum is exact to half a velocity LSB, kinetic energy never
-/// rises. Ends that something else moves keep their velocity. Call it before merge.
+/// A node that a merge is about to remove gives half of its mass to each end of its edge, and its momentum
+/// with it: v_a' = v_a + (v - v_a) m/2 / (m_a + m/2). Momentum is exact to half a velocity LSB, kinetic
+/// energy never rises. Ends that something else moves keep their velocity. Call it before merge.
 template <class Profile>
 void absorb_momentum(Forest<Profile>& forest, const SolveState<Profile>& solve, uint16_t node,
                      const std::array<uint16_t, 2>& ends) {
@@ -143,7 +142,8 @@ void absorb_momentum(Forest<Profile>& forest, const SolveState<Profile>& solve, 
     const MassUnits whole = forest.node.mass[end] + half;
     const int room = leading_zeros(whole);
     const auto mantissa = Q<0, 31>::from_raw(static_cast<int32_t>((whole << room) >> 1));
-    const int64_t inverse = reciprocal_normalised(mantissa).raw();  // 1 / whole = inverse 2^-30 2^-(32 - room)
+    const int64_t inverse =
+        reciprocal_normalised(mantissa).raw();  // 1 / whole = inverse 2^-30 2^-(32 - room)
     const int64_t share = static_cast<int64_t>(half) * inverse >> (62 - room - 31);
     const auto part = Q<0, 31>::from_raw(static_cast<int32_t>(share > 0x7fffffff ? 0x7fffffff : share));
     for (const uint32_t axis : bounded<3>(3, [] {})) {

@@ -1,4 +1,5 @@
-// Profiles: all capacities and budgets of one build, fixed at compile time. Thresholds and physics are the Model's.
+// Profiles: all capacities and budgets of one build, fixed at compile time. Thresholds and physics are the
+// Model's.
 //
 //   kLeaves, kNodes, kGroups   what the pools hold
 //   kMaxLevel                  of any leaf

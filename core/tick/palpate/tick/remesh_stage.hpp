@@ -13,20 +13,26 @@ struct GroupRotations {
   Groups<Profile>& groups;
   const RotationFront<Profile>& front;
   const Forest<Profile>& forest;
-  RotationCriterion criterion;
+  const RotationRules& rules;
 
   [[nodiscard]] uint32_t split_measure(uint16_t group) const {
-    if (criterion != RotationCriterion::kSiblings) return static_cast<uint32_t>(groups.misfit[group].raw());
+    if (!by_siblings()) return static_cast<uint32_t>(groups.misfit[group].raw());
     const uint16_t sibling = Forest<Profile>::sibling(front.tet[group]);
-    const uint16_t other = forest.leaf_of(first_leaf(forest, sibling)).group;
-    return front.tet[other] == sibling ? static_cast<uint32_t>(difference(group, other).raw()) : 0;
+    const uint16_t other = group_in(sibling);
+    return front.tet[other] == sibling ? difference(group, other) : 0;
   }
   [[nodiscard]] uint32_t join_measure(uint16_t group, uint16_t partner) const {
-    const Q<4, 27> square = difference(group, partner);
-    if (criterion == RotationCriterion::kSiblings) return static_cast<uint32_t>(square.raw());
-    const uint32_t parent_level = forest.tet[front.tet[group]].level - 1u;
-    return static_cast<uint32_t>(
-        joined_misfit(square, groups.misfit_left[group], groups.misfit_left[partner], parent_level).raw());
+    const uint16_t parent = forest.parent_of(front.tet[group]);
+    const uint32_t apart = difference(group, partner);
+    if (by_siblings()) {
+      // A parent that would differ from its own sibling would be split again at once, for ever.
+      const uint32_t parents_apart = difference(group, group_in(Forest<Profile>::sibling(parent)));
+      return parents_apart > rules.split_above ? parents_apart : apart;
+    }
+    return static_cast<uint32_t>(joined_misfit(Q<4, 27>::from_raw(static_cast<int32_t>(apart)),
+                                               groups.misfit_left[group], groups.misfit_left[partner],
+                                               forest.tet[parent].level)
+                                     .raw());
   }
   [[nodiscard]] bool is_blending(uint16_t group) const { return groups.blend[group] > 0; }
   [[nodiscard]] bool changed_now(uint16_t group) const { return groups.blend[group] == kBlendTicks; }
@@ -35,8 +41,13 @@ struct GroupRotations {
   void take_over(uint16_t group, uint16_t gone) { take_over_rotation(groups, group, gone); }
 
  private:
-  [[nodiscard]] Q<4, 27> difference(uint16_t a, uint16_t b) const {
-    return square_of_difference(groups.extracted[a], groups.extracted[b]);
+  [[nodiscard]] bool by_siblings() const { return rules.criterion == RotationCriterion::kSiblings; }
+  /// A group of a tet: the tet's own, one above it, or one of those below.
+  [[nodiscard]] uint16_t group_in(uint16_t tet) const {
+    return forest.leaf_of(first_leaf(forest, tet)).group;
+  }
+  [[nodiscard]] uint32_t difference(uint16_t a, uint16_t b) const {
+    return static_cast<uint32_t>(square_of_difference(groups.extracted[a], groups.extracted[b]).raw());
   }
 };
 
@@ -67,9 +78,9 @@ template <class Profile>
 void change_fronts(State<Profile>& state) {
   bool changed = false;
   const RemeshRules& rules = state.model.remesh;
-  GroupRotations<Profile> rotations{state.groups, state.front, state.forest, rules.rotation.criterion};
-  RotationChanges<Profile, GroupRotations<Profile>> rotation_changes(state.forest, state.front, rules.rotation,
-                                                                     rotations, state.remesh);
+  GroupRotations<Profile> rotations{state.groups, state.front, state.forest, rules.rotation};
+  RotationChanges<Profile, GroupRotations<Profile>> rotation_changes(state.forest, state.front,
+                                                                     rules.rotation, rotations, state.remesh);
   state.waiting = rotation_changes.run(changed);
   SolvedNodes<Profile> nodes{state.forest, state.solve, state.model};
   MeshChanges<Profile, SolvedNodes<Profile>> mesh_changes(state.forest, state.front, state.tethers,

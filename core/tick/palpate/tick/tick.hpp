@@ -47,7 +47,8 @@ PALPATE_NOINLINE void forces(State<Profile>& state) {
 template <class Profile>
 PALPATE_NOINLINE void integrate(State<Profile>& state, const TickInput& input, uint32_t remaining) {
   const Dynamics& dynamics = state.model.dynamics;
-  add_tether_forces(state.forest, state.solve, state.tethers, dynamics.substeps, remaining, state.driven.node);
+  add_tether_forces(state.forest, state.solve, state.tethers, dynamics.substeps, remaining,
+                    state.driven.node);
   integrate_substep(state.forest, dynamics, input.hold_motion, state.driven, remaining, state.solve,
                     state.clamps);
 }
@@ -55,8 +56,9 @@ PALPATE_NOINLINE void integrate(State<Profile>& state, const TickInput& input, u
 /// The flag of a tick for a reason why the fronts had to wait.
 inline uint32_t waiting_flags(uint32_t waiting) {
   constexpr uint32_t kFirst = static_cast<uint32_t>(TickFlag::kPatchBudget);
-  static_assert(kFirst * static_cast<uint32_t>(RemeshFlag::kTethers) == static_cast<uint32_t>(TickFlag::kTethersFull),
-                "palpate: the flags of remesh stand side by side in those of the tick");
+  static_assert(
+      kFirst * static_cast<uint32_t>(RemeshFlag::kTethers) == static_cast<uint32_t>(TickFlag::kTethersFull),
+      "palpate: the flags of remesh stand side by side in those of the tick");
   return waiting * kFirst;
 }
 

@@ -5,7 +5,16 @@
 
 namespace palpate::firmware {
 
-enum class Stage : uint8_t { kKinematics, kTouch, kRemesh, kRotations, kForces, kIntegrate, kReaction, kMotorCodes };
+enum class Stage : uint8_t {
+  kKinematics,
+  kTouch,
+  kRemesh,
+  kRotations,
+  kForces,
+  kIntegrate,
+  kReaction,
+  kMotorCodes
+};
 inline constexpr uint32_t kStageCount = 8;
 static_assert(kStageCount == kCoreStages + 2, "palpate: every core stage has its place among all stages");
 

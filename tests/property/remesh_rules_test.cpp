@@ -1,0 +1,165 @@
+// What a change of the mesh must never do: merge a grasped node, rise above the rotation front, leave a
+// region's levels, or go on for ever.
+#include <gtest/gtest.h>
+
+#include "support/remeshing.hpp"
+#include "support/soak.hpp"
+
+namespace palpate::test {
+namespace {
+
+struct Roomy : TestProfile<1152, 512, 6> {
+  static constexpr uint16_t kGroups = 300;
+  static constexpr uint32_t kPatches = 4;
+};
+
+TickInput tool_at(const Eigen::Vector3d& at, bool close) {
+  TickInput input = input_at_rest();
+  input.tool = fixed_vector<Position>(at);
+  input.close_grasp = close;
+  return input;
+}
+
+/// Leaves at a node, and the coarsest level of them.
+uint8_t coarsest_at(const Forest<Roomy>& forest, uint16_t node) {
+  uint8_t coarsest = 255;
+  for (uint32_t i = 0; i < forest.leaf_count; ++i) {
+    if (touches(forest.leaf[i], node)) coarsest = std::min(coarsest, forest.leaf[i].level);
+  }
+  return coarsest;
+}
+
+/// A node that only exists because the mesh is finer than it needs to be there: unless held, it would be
+/// merged.
+TEST(RemeshRules, AGraspedNodeStaysAndThePatchAroundItIsTheFinest) {
+  const auto state = started<Roomy>(compile_model(remeshing_bar()));
+  const uint16_t node = node_at(state->forest, LatticePoint{16, 16, 0});
+  ASSERT_NE(node, kNone);
+  const Handle handle = state->forest.nodes.handle(node);
+  const TickInput input = tool_at(Eigen::Vector3d(0.5, 0.5, 0.0), true);
+  tick_once(*state, input);
+  ASSERT_EQ(state->grasp.node.index, node);
+  settle(*state, input, 200, 3000);
+  EXPECT_EQ(state->grasp.node.index, node);
+  EXPECT_TRUE(state->forest.nodes.is_live(handle));
+  EXPECT_EQ(coarsest_at(state->forest, node), 5);
+  EXPECT_LT(state->forest.leaf_count, 500u) << "only around the node";
+  expect_whole(*state);
+  const TickInput open = tool_at(Eigen::Vector3d(0.5, 0.5, 0.0), false);
+  settle(*state, open, 200, 3000);
+  EXPECT_EQ(state->forest.leaf_count, 18u << 2);
+  EXPECT_FALSE(state->forest.nodes.is_live(handle))
+      << "at level 2 no edge of a cube has a node in its middle";
+}
+
+/// Grasped while it is being drawn to its end, it is let go of and stays.
+TEST(RemeshRules, ANodeThatIsGraspedWhileItIsDrawnStays) {
+  uint32_t caught = 0;
+  for (int wait = 1; wait < 60; wait += 3) {
+    const auto state = started<Roomy>(compile_model(remeshing_bar()));
+    for (int i = 0; i < wait; ++i) tick_once(*state, tool_at(Eigen::Vector3d::Zero(), false));
+    uint16_t drawn = kNone;
+    for (uint32_t i = 0; i < state->tethers.count; ++i) {
+      if (state->tethers.tether[i].kind == TetherKind::kDraw) drawn = state->tethers.tether[i].node;
+    }
+    if (drawn == kNone) continue;
+    ++caught;
+    const Handle handle = state->forest.nodes.handle(drawn);
+    const TickInput input = tool_at(doubles(state->forest.node.position[drawn]), true);
+    for (int i = 0; i < 300; ++i) {
+      tick_once(*state, input);
+      ASSERT_EQ(state->grasp.node.index, drawn);
+      ASSERT_TRUE(state->forest.nodes.is_live(handle));
+    }
+    expect_whole(*state);
+  }
+  EXPECT_GT(caught, 3u);
+}
+
+/// Groups on the leaves, which may not be joined: no leaf is merged. When they may, groups rise first.
+TEST(RemeshRules, AMergeWaitsForTheRotationFront) {
+  Model model = compile_model(remeshing_bar());
+  model.remesh.rotation.start_level = 3;
+  const auto state = started<Roomy>(model);
+  for (int i = 0; i < 500; ++i) tick_once(*state, input_at_rest());
+  EXPECT_EQ(state->remesh.merged, 0u);
+  EXPECT_EQ(state->forest.leaf_count, 18u << 3);
+  state->model.remesh.rotation.start_level = 0;
+  uint32_t first_join = 0;
+  uint32_t first_merge = 0;
+  for (uint32_t i = 1; i <= 2000; ++i) {
+    tick_once(*state, input_at_rest());
+    if (first_join == 0 && state->remesh.groups_joined > 0) first_join = i;
+    if (first_merge == 0 && state->remesh.merged > 0) first_merge = i;
+    ASSERT_NO_FATAL_FAILURE(expect_whole(*state));
+  }
+  EXPECT_LT(first_join, first_merge);
+  EXPECT_EQ(state->forest.leaf_count, 18u << 2);
+  EXPECT_EQ(state->front.groups.used(), 18u);
+}
+
+/// Held in one shape, the fronts come to rest and stay there.
+TEST(RemeshRules, NothingChattersAtAConstantDeformation) {
+  for (const RotationCriterion rotation : {RotationCriterion::kMisfit, RotationCriterion::kSiblings}) {
+    for (const StretchCriterion stretch :
+         {StretchCriterion::kSixEdges, StretchCriterion::kLongestEdge, StretchCriterion::kStrainJump}) {
+      for (const double part : {0.3, 0.6, 1.0}) {
+        sim::ModelParameters parameters = remeshing_bar();
+        parameters.held = sim::HeldEnds::kBoth;
+        parameters.remesh.rotation = rotation;
+        parameters.remesh.stretch = stretch;
+        if (stretch == StretchCriterion::kStrainJump) parameters.remesh.stretch_split = 0.1;
+        const auto state = started<Roomy>(compile_model(parameters));
+        const auto at = [&](double p) { return pulled(0.3 * p, 0.4 * p, 0.6 * p); };
+        for (int i = 1; i <= 300; ++i) tick_once(*state, at(part * i / 300.0));
+        const uint32_t last = settle(*state, at(part), 200, 4000);
+        std::printf("rotation %d, stretch %d, load %.1f: at rest after %u ticks, %u leaves, %u groups\n",
+                    static_cast<int>(rotation), static_cast<int>(stretch), part, last,
+                    unsigned{state->forest.leaf_count}, unsigned{state->front.groups.used()});
+        EXPECT_LT(last, 3800u);
+      }
+    }
+  }
+}
+
+/// Two regions side by side with ranges that do not overlap: no closure of the finer one passes the coarser
+/// one's.
+TEST(RemeshRules, EveryLeafStaysWithinTheLevelsOfItsRegion) {
+  sim::ModelParameters parameters = remeshing_bar();
+  parameters.held = sim::HeldEnds::kBoth;
+  parameters.regions = {{500.0, 0.45, 1000.0, 3, 5}, {500.0, 0.45, 1000.0, 1, 3}};
+  parameters.region_of_cube = {0, 1, 0};
+  const auto state = started<Roomy>(compile_model(parameters));
+  uint8_t coarsest[2] = {255, 255};
+  uint8_t finest[2] = {0, 0};
+  for (int i = 0; i < in_soak(50000, 3000); ++i) {
+    const double part = 0.5 - 0.5 * std::cos(i * 2.0 * 3.14159 / 1500.0);
+    tick_once(*state, pulled(0.5 * part, 0.8 * part, 0.4 * part));
+    for (uint32_t k = 0; k < state->forest.leaf_count; ++k) {
+      const Leaf& leaf = state->forest.leaf[k];
+      coarsest[leaf.region] = std::min(coarsest[leaf.region], leaf.level);
+      finest[leaf.region] = std::max(finest[leaf.region], leaf.level);
+    }
+  }
+  std::printf("levels %u to %u and %u to %u\n", unsigned{coarsest[0]}, unsigned{finest[0]},
+              unsigned{coarsest[1]}, unsigned{finest[1]});
+  EXPECT_GE(coarsest[0], 3);
+  EXPECT_EQ(finest[0], 5);
+  EXPECT_GE(coarsest[1], 1);
+  EXPECT_EQ(finest[1], 3);
+  expect_whole(*state);
+}
+
+/// A leaf above its region's least level is refined wherever it is, and without any load.
+TEST(RemeshRules, LeavesAboveTheLeastLevelAreRefinedToIt) {
+  sim::ModelParameters parameters = remeshing_bar();
+  parameters.level = 1;
+  parameters.regions[0].least_level = 4;
+  const auto state = started<Roomy>(compile_model(parameters));
+  settle(*state, input_at_rest(), 100, 3000);
+  EXPECT_EQ(state->forest.leaf_count, 18u << 4);
+  EXPECT_EQ(tick_once(*state, input_at_rest()).flags, 0u);
+}
+
+}  // namespace
+}  // namespace palpate::test

@@ -1,0 +1,132 @@
+// Bodies whose two fronts move, and what they did in a tick.
+#pragma once
+
+#include <algorithm>
+#include <set>
+
+#include "support/bodies.hpp"
+#include "support/fronts.hpp"
+
+namespace palpate::test {
+
+/// The bar at level 3, damped so that it settles soon; leaves go to level 2 at rest and to level 5 where
+/// edges are 5 percent longer.
+inline sim::ModelParameters remeshing_bar() {
+  sim::ModelParameters parameters;
+  parameters.level = 3;
+  parameters.substeps = 1;
+  parameters.mass_damping_per_s = 20.0;
+  parameters.regions[0] = {500.0, 0.45, 1000.0, 2, 5};
+  parameters.remesh.stretch = StretchCriterion::kSixEdges;
+  parameters.remesh.stretch_split = 0.05;
+  return parameters;
+}
+
+/// The far end face pulled away by so many edges, and turned about the bar's axis and across it.
+inline TickInput pulled(double edges, double twist = 0.0, double bend = 0.0) {
+  TickInput input = input_at_rest();
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(twist, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(bend, Eigen::Vector3d::UnitY()))
+          .toRotationMatrix();
+  const Eigen::Vector3d end(0, 0, 1.5);
+  input.hold_motion[1].rotation = fixed_matrix<RotationEntry>(turn);
+  input.hold_motion[1].translation =
+      fixed_vector<Position>(Eigen::Vector3d(end - turn * end + Eigen::Vector3d(0, 0, edges)));
+  return input;
+}
+
+template <class Profile>
+void expect_whole(const State<Profile>& state) {
+  ASSERT_EQ(check_forest(state.forest, state.model.block), Violation::kNothing) << "tick " << state.tick;
+  ASSERT_EQ(check_front(state.forest, state.front), FrontViolation::kNothing) << "tick " << state.tick;
+  for (uint32_t i = 0; i < state.tethers.count; ++i) {
+    const Tether& tether = state.tethers.tether[i];
+    for (const uint16_t node : {tether.node, tether.end[0], tether.end[1]}) {
+      ASSERT_TRUE(state.forest.nodes.is_live(node)) << "tick " << state.tick;
+    }
+    ASSERT_EQ(state.tethers.find(tether.node), i);
+    ASSERT_EQ(state.tethers.find(tether.end[0]), Tethers<Profile>::kNobody);
+    ASSERT_EQ(state.tethers.find(tether.end[1]), Tethers<Profile>::kNobody);
+  }
+}
+
+/// What one tick changed.
+struct Changes {
+  uint32_t patches_split, patches_merged, tets_split, tets_merged, groups_split, joins_begun;
+};
+
+/// Remembers the fronts, to say after a tick what has changed.
+template <class Profile>
+class ChangeWatch {
+ public:
+  explicit ChangeWatch(const State<Profile>& state) : state_(state) { remember(); }
+
+  Changes changes() {
+    Changes made{};
+    const auto nodes = live_nodes();
+    for (const auto& node : nodes) made.patches_split += nodes_.count(node) == 0 ? 1u : 0u;
+    for (const auto& node : nodes_) made.patches_merged += nodes.count(node) == 0 ? 1u : 0u;
+    made.tets_split = state_.remesh.bisected - counters_.bisected;
+    made.tets_merged = state_.remesh.merged - counters_.merged;
+    made.groups_split = state_.remesh.groups_split - counters_.groups_split;
+    for (const auto& pair : partners()) made.joins_begun += partners_.count(pair) == 0 ? 1u : 0u;
+    remember();
+    return made;
+  }
+
+ private:
+  using Pair = std::pair<uint16_t, uint16_t>;
+
+  std::set<Pair> live_nodes() const {
+    std::set<Pair> nodes;
+    for (uint32_t i = 0; i < state_.forest.nodes.used(); ++i) {
+      const Handle handle = state_.forest.nodes.handle(state_.forest.nodes.live(i));
+      nodes.emplace(handle.index, handle.generation);
+    }
+    return nodes;
+  }
+  /// First groups of pairs about to be joined, by their tets.
+  std::set<Pair> partners() const {
+    std::set<Pair> pairs;
+    for (uint32_t i = 0; i < state_.front.groups.used(); ++i) {
+      const uint16_t group = state_.front.groups.live(i);
+      if (state_.front.partner[group] == kNone || is_second_of_pair(state_.front, group)) continue;
+      pairs.emplace(state_.front.tet[group], state_.front.partner[group]);
+    }
+    return pairs;
+  }
+  void remember() {
+    nodes_ = live_nodes();
+    partners_ = partners();
+    counters_ = state_.remesh;
+  }
+
+  const State<Profile>& state_;
+  std::set<Pair> nodes_, partners_;
+  RemeshCounters counters_{};
+};
+
+inline bool has(const TickOutput& output, TickFlag flag) {
+  return (output.flags & static_cast<uint32_t>(flag)) != 0;
+}
+
+/// Goes on until neither front has changed for `calm_ticks`. Returns the tick in which it last did, or
+/// `limit`.
+template <class Profile>
+uint32_t settle(State<Profile>& state, const TickInput& input, uint32_t calm_ticks, uint32_t limit) {
+  const auto count = [&] {
+    const RemeshCounters& c = state.remesh;
+    return uint64_t{c.bisected} + c.merged + c.groups_split + c.groups_joined;
+  };
+  uint64_t before = count();
+  uint32_t last = 0;
+  for (uint32_t i = 1; i <= limit; ++i) {
+    tick_once(state, input);
+    if (count() != before || state.tethers.count != 0) last = i;
+    before = count();
+    if (i - last >= calm_ticks) return last;
+  }
+  return limit;
+}
+
+}  // namespace palpate::test
