@@ -3,6 +3,7 @@
 // nearest number to a / b.
 #pragma once
 
+#include "palpate/elastic/groups.hpp"
 #include "palpate/tick/model.hpp"
 #include "palpate/tick/profiles.hpp"
 
@@ -19,9 +20,9 @@ inline constexpr int64_t kTickUs = 1000;
 inline constexpr int64_t kForceUnitMicronewtons = 2048000;
 
 inline palpate::Material soft_material() {
-  // mu / (6 E) with mu = E / (2 (1 + nu)), and lambda / (12 E) with lambda = E nu / ((1 + nu) (1 - 2 nu)).
+  // mu / (6 E) with mu = E / (2 (1 + nu)), and lambda / (6 E) with lambda = E nu / ((1 + nu) (1 - 2 nu)).
   return {palpate::ShearCoefficient::ratio(100, 12 * 149),
-          palpate::BulkCoefficient::ratio(49 * 100, 12 * 149 * 2)};
+          palpate::BulkCoefficient::ratio(49 * 100, 6 * 149 * 2)};
 }
 
 inline palpate::Dynamics heavy_dynamics() {
@@ -36,6 +37,18 @@ inline palpate::Dynamics heavy_dynamics() {
   return dynamics;
 }
 
+/// Rotations on as few tetrahedra as a misfit of 2 (1 - cos 1.5 deg) allows, joined again below 0.7 of that;
+/// the mesh stays as it is.
+inline palpate::RemeshRules remesh_rules() {
+  constexpr auto kSplit = palpate::Misfit::ratio(6853, 10000000);
+  constexpr auto kJoin = palpate::Misfit::ratio(4797, 10000000);
+  palpate::RemeshRules rules{};
+  rules.rotation = {palpate::RotationCriterion::kMisfit, 0, static_cast<uint32_t>(kSplit.raw()),
+                    static_cast<uint32_t>(kJoin.raw())};
+  rules.stretch.criterion = palpate::StretchCriterion::kFixed;
+  return rules;
+}
+
 inline palpate::Model soft_bar() {
   palpate::Model model{};
   model.block = palpate::Block{{1, 1, 3}, {0, 0, 0}};  // cubes along x, y, z; all of material region 0
@@ -43,6 +56,7 @@ inline palpate::Model soft_bar() {
   model.materials[0] = soft_material();
   model.region_density[0] = palpate::kDensityOne;
   model.dynamics = heavy_dynamics();
+  model.remesh = remesh_rules();
   // The low end stands still: all nodes on the face z = 0 of the block's grid. Nothing else is held.
   model.held[0] = {model.block.corner(0, 0, 0), model.block.corner(1, 1, 0)};
   model.held[1] = {{1, 1, 1}, {0, 0, 0}};  // empty: min > max

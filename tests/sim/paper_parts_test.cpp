@@ -63,7 +63,8 @@ TEST(MeshError, RefusesAMeshWithAHole) {
 
 TEST(CriterionStudy, CurvesAreStraightInLogarithms) {
   const auto point = [](double tets, double mm) { return sim::StudyPoint{0.1, tets, 0, {mm, mm}, 0.0, ""}; };
-  const sim::StudyCurve curve{"six-edges", {point(100, 1.0), point(200, 0.5), point(200, 0.5), point(3000, 0.1)}};
+  const sim::StudyCurve curve{"six-edges",
+                              {point(100, 1.0), point(200, 0.5), point(200, 0.5), point(3000, 0.1)}};
   EXPECT_NEAR(sim::error_at(curve, 150), 1.0 / 1.5, 1e-12);
   EXPECT_NEAR(sim::error_at(curve, 100), 1.0, 1e-12);
   EXPECT_NEAR(sim::error_at(curve, 1000), 0.5, 1e-12);  // too far from the next point
