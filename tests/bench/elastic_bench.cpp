@@ -4,13 +4,13 @@ namespace palpate::bench {
 namespace {
 
 /// Corotated forces of all leaves and their sums at the nodes: once a substep, the last one observing.
-template <Observe kObserve>
+template <Observe Mode>
 void forces(benchmark::State& benchmark_state) {
   const auto bar = make_bent_bar(1);
   GroupForces<Profile> all(bar->forest, bar->front, bar->groups, bar->model.materials, bar->frame);
   const NsPerTet report(benchmark_state, bar->forest.leaf_count);
   for ([[maybe_unused]] auto _ : benchmark_state) {
-    benchmark::DoNotOptimize(all.evaluate<kObserve>(bar->solve.force_position));
+    benchmark::DoNotOptimize(all.evaluate<Mode>(bar->solve.force_position));
     benchmark::ClobberMemory();
   }
 }

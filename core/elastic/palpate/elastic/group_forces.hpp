@@ -75,7 +75,7 @@ class GroupForces {
       : forest_(forest), front_(front), groups_(groups), materials_(materials), frame_(frame) {}
 
   /// See evaluate_forces.
-  template <Observe kObserve>
+  template <Observe Mode>
   uint32_t evaluate(const std::array<Vector3<Position>, Profile::kNodes>& at) {
     clear_forces();
     auto nodes = bounded_total<RotationFront<Profile>::kGroupNodes>([] {});
@@ -94,7 +94,7 @@ class GroupForces {
         frame_.force[node] = zero_vector<Force>();
       }
       clamped_leaves += clamped != 0 ? 1u : 0u;
-      clamped_leaves += add_leaves<kObserve>(group, leaves);
+      clamped_leaves += add_leaves<Mode>(group, leaves);
       add_to_nodes(r, nodes_back.take(span.begin, span.count));
     }
     return clamped_leaves;
@@ -108,7 +108,7 @@ class GroupForces {
   }
 
   /// Forces of a group's leaves, into frame_.force. Returns the number of clamped leaves.
-  template <Observe kObserve, class Total>
+  template <Observe Mode, class Total>
   uint32_t add_leaves(uint16_t group, Total& leaves) {
     const Span span = front_.leaves[group];
     const uint8_t group_level = forest_.tet[front_.tet[group]].level;
@@ -119,32 +119,32 @@ class GroupForces {
       uint32_t clamped = 0;
       switch (type_of_level(leaf.level)) {
         case TetType::kType0:
-          add_leaf<TetType::kType0, kObserve>(leaf, group_level, seen, clamped);
+          add_leaf<TetType::kType0, Mode>(leaf, group_level, seen, clamped);
           break;
         case TetType::kType1:
-          add_leaf<TetType::kType1, kObserve>(leaf, group_level, seen, clamped);
+          add_leaf<TetType::kType1, Mode>(leaf, group_level, seen, clamped);
           break;
         default:
-          add_leaf<TetType::kType2, kObserve>(leaf, group_level, seen, clamped);
+          add_leaf<TetType::kType2, Mode>(leaf, group_level, seen, clamped);
           break;
       }
       clamped_leaves += clamped != 0 ? 1u : 0u;
     }
-    if constexpr (kObserve == Observe::kYes) {
+    if constexpr (Mode == Observe::kYes) {
       groups_.gradient[group] = narrow<Stretch>(rotation_matrix(groups_.used[group]) * seen.mean);
       seen.misfit.finish(group_level, groups_.misfit[group], groups_.misfit_left[group]);
     }
     return clamped_leaves;
   }
 
-  template <TetType kType, Observe kObserve>
+  template <TetType Type, Observe Mode>
   PALPATE_ALWAYS_INLINE void add_leaf(const Leaf& leaf, uint8_t group_level,
                                       group_forces_detail::Observation& seen, uint32_t& clamped) {
     const auto& y = frame_.position;
     auto& f = frame_.force;
-    LeafForce<kType> force(leaf.axes, leaf.level);
+    LeafForce<Type> force(leaf.axes, leaf.level);
     force.gather(y[leaf.node[0]], y[leaf.node[1]], y[leaf.node[2]], y[leaf.node[3]], clamped);
-    if constexpr (kObserve == Observe::kYes) {
+    if constexpr (Mode == Observe::kYes) {
       seen.add(force.gradient(), leaf.path, static_cast<uint32_t>(leaf.level - group_level));
     }
     force.scatter(materials_[leaf.region], f[leaf.node[0]], f[leaf.node[1]], f[leaf.node[2]], f[leaf.node[3]],

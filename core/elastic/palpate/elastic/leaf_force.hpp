@@ -20,7 +20,7 @@ inline SignedAxis signed_axis(Axes axes, uint32_t j) {
   return SignedAxis{axes.axis(j), axes.is_negative(j) ? -1 : 0};
 }
 
-template <TetType kType>
+template <TetType Type>
 class LeafForce {
  public:
   LeafForce(Axes axes, uint8_t level)
@@ -58,22 +58,22 @@ class LeafForce {
   }
 
  private:
-  template <int kRow>
+  template <int Row>
   PALPATE_ALWAYS_INLINE void gather_row(const Vector3<Position>& w0, const Vector3<Position>& w1,
                                         const Vector3<Position>& w2, const Vector3<Position>& w3,
                                         uint32_t& clamped) {
-    const SignedAxis at = axes_[kRow];
+    const SignedAxis at = axes_[Row];
     const int32_t x0 = w0.data()[at.axis].raw();
     const int32_t x1 = w1.data()[at.axis].raw();
     const int32_t x2 = w2.data()[at.axis].raw();
     const int32_t x3 = w3.data()[at.axis].raw();
-    const int32_t g2 = kType == TetType::kType2 ? (x2 - x0) + (x2 - x1) : x2 - x1;
-    const int32_t g3 = kType == TetType::kType0   ? x3 - x2
-                       : kType == TetType::kType1 ? (x3 - x0) + (x3 - x2)
-                                                  : 2 * (x3 - x2);
-    b_(kRow, 0) = stretch(x1 - x0, at, clamped);
-    b_(kRow, 1) = stretch(g2, at, clamped);
-    b_(kRow, 2) = stretch(g3, at, clamped);
+    const int32_t g2 = Type == TetType::kType2 ? (x2 - x0) + (x2 - x1) : x2 - x1;
+    const int32_t g3 = Type == TetType::kType0   ? x3 - x2
+                       : Type == TetType::kType1 ? (x3 - x0) + (x3 - x2)
+                                                 : 2 * (x3 - x2);
+    b_(Row, 0) = stretch(x1 - x0, at, clamped);
+    b_(Row, 1) = stretch(g2, at, clamped);
+    b_(Row, 2) = stretch(g3, at, clamped);
   }
 
   [[nodiscard]] PALPATE_ALWAYS_INLINE Strain stretch(int32_t g, const SignedAxis& at,
@@ -85,15 +85,13 @@ class LeafForce {
     return Strain::from_raw(at.apply(static_cast<int32_t>(static_cast<uint32_t>(within) << size_)));
   }
 
-  template <int kRow>
+  template <int Row>
   PALPATE_ALWAYS_INLINE void scatter_row(const Matrix3<Stress>& sigma, Vector3<Force>& f0, Vector3<Force>& f1,
                                          Vector3<Force>& f2, Vector3<Force>& f3) const {
-    const SignedAxis at = axes_[kRow];
-    const uint32_t shift = 2u * size_ + static_cast<uint32_t>(kType) + 1u;
+    const SignedAxis at = axes_[Row];
+    const uint32_t shift = 2u * size_ + static_cast<uint32_t>(Type) + 1u;
     const int32_t half = static_cast<int32_t>(uint32_t{1} << (shift - 1u));
-    const auto edge = [&](int k) {
-      return Force::from_raw(at.apply((sigma(kRow, k).raw() + half) >> shift));
-    };
+    const auto edge = [&](int k) { return Force::from_raw(at.apply((sigma(Row, k).raw() + half) >> shift)); };
     const Force t1 = edge(0);
     const Force t2 = edge(1);
     const Force t3 = edge(2);
@@ -101,10 +99,10 @@ class LeafForce {
     Force& y1 = f1.data()[at.axis];
     Force& y2 = f2.data()[at.axis];
     Force& y3 = f3.data()[at.axis];
-    y0 += kType == TetType::kType0 ? t1 : kType == TetType::kType1 ? t1 + t3 : t1 + t2;
+    y0 += Type == TetType::kType0 ? t1 : Type == TetType::kType1 ? t1 + t3 : t1 + t2;
     y1 += t2 - t1;
-    y2 += kType == TetType::kType2 ? (t3 - t2) + (t3 - t2) : t3 - t2;
-    y3 -= kType == TetType::kType0 ? t3 : t3 + t3;
+    y2 += Type == TetType::kType2 ? (t3 - t2) + (t3 - t2) : t3 - t2;
+    y3 -= Type == TetType::kType0 ? t3 : t3 + t3;
   }
 
   SignedAxis axes_[3];

@@ -38,10 +38,10 @@ PALPATE_NOINLINE void rotations(State<Profile>& state) {
   update_rotations(state.front, state.groups);
 }
 
-template <Observe kObserve, class Profile>
+template <Observe Mode, class Profile>
 PALPATE_NOINLINE void forces(State<Profile>& state) {
   GroupForces<Profile> forces(state.forest, state.front, state.groups, state.model.materials, state.frame);
-  state.clamps.strain += forces.template evaluate<kObserve>(state.solve.force_position);
+  state.clamps.strain += forces.template evaluate<Mode>(state.solve.force_position);
 }
 
 template <class Profile>
