@@ -35,7 +35,7 @@ Exact misfit_of(const std::vector<Seen>& leaves, uint32_t level) {
     const Matrix3d& a = leaf.a;
     const Vector3d w = 0.5 * Vector3d(a(2, 1) - a(1, 2), a(0, 2) - a(2, 0), a(1, 0) - a(0, 1));
     s += volume * w.squaredNorm();
-    const uint32_t child = (leaf.path >> (leaf.depth - 1)) & 1u;
+    const std::size_t child = (leaf.path >> (leaf.depth - 1)) & 1u;
     if (leaf.depth == 1) {
       sum[2 * child] += 0.5 * volume * w;
       sum[2 * child + 1] += 0.5 * volume * w;

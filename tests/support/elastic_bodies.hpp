@@ -19,10 +19,10 @@ struct ElasticBody {
   [[nodiscard]] RotationFront<Profile>& front() { return *mesh.front; }
   [[nodiscard]] NodeState<Profile::kNodes>& node() { return mesh.forest->node; }
 
-  template <Observe kObserve = Observe::kYes>
+  template <Observe Mode = Observe::kYes>
   uint32_t evaluate() {
     GroupForces<Profile> forces(forest(), front(), *groups, materials, *frame);
-    return forces.template evaluate<kObserve>(node().position);
+    return forces.template evaluate<Mode>(node().position);
   }
   template <class Visit>
   void for_nodes(Visit visit) {
