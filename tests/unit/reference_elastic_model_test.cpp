@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
 #include <cmath>
 
 #include "reference/polar_rotation.hpp"
@@ -30,7 +32,7 @@ Matrix any_gradient(Random& random) {
 
 /// d g(h) / dh at 0 by central differences of fourth order.
 template <class Function>
-auto slope_of(Function g) {
+std::invoke_result_t<Function, double> slope_of(Function g) {
   const double h = 1e-3;
   return (8.0 * (g(h) - g(-h)) - (g(2 * h) - g(-2 * h))) / (12 * h);
 }
