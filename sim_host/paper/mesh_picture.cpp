@@ -51,8 +51,8 @@ Edge edge_of(const Facet& facet, std::size_t i) {
 
 class Panel {
  public:
-  Panel(const MeshPanel& panel, const Projection& projection) : panel_(panel), projection_(projection) {
-    facets_ = surface_of(*panel.body);
+  Panel(const MeshPanel& panel, const Projection& projection)
+      : panel_(panel), projection_(projection), facets_(surface_of(*panel.body)) {
     for (const Facet& facet : facets_) {
       for (std::size_t i = 0; i < 3; ++i) tets_at_[edge_of(facet, i)].push_back(facet.tet);
     }

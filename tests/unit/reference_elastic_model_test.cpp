@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <type_traits>
-
 #include <cmath>
+#include <type_traits>
 
 #include "reference/polar_rotation.hpp"
 #include "support/random.hpp"

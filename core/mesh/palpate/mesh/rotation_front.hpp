@@ -21,7 +21,7 @@ template <class Profile>
 struct RotationFront {
   static constexpr uint16_t kGroups = Profile::kGroups;
   /// Pairs of a group and a node of it.
-  static constexpr uint32_t kGroupNodes = uint32_t{Profile::kLeaves} + 3u * kGroups;
+  static constexpr uint32_t kGroupNodes = static_cast<uint32_t>(Profile::kLeaves) + 3u * kGroups;
   static_assert(kGroupNodes < 0xffff, "palpate: a span counts in 16 bits");
 
   IndexPool<kGroups> groups;
