@@ -39,6 +39,7 @@ std::vector<Facet> surface_of(const BodyFields& body) {
     }
   }
   std::vector<Facet> surface;
+  surface.reserve(once.size());
   for (const auto& [key, facet] : once) surface.push_back(facet);
   return surface;
 }
