@@ -8,7 +8,6 @@
 namespace palpate::sim {
 namespace {
 
-constexpr double kTickS = 1e-3;
 constexpr double kPi = 3.14159265358979323846;
 
 Block compile_block(const ModelParameters& parameters) {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "units.hpp"
+
 namespace palpate::sim {
 namespace {
 
-constexpr double kTickS = 1e-3;
 constexpr double kMargin = 0.9;
 
 /// P-wave modulus over Young's modulus: what a stiff element's frequency grows with. Below nu = 0.3 the

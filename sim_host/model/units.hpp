@@ -10,6 +10,8 @@
 
 namespace palpate::sim {
 
+inline constexpr double kTickS = 1e-3;
+
 template <int I, int F>
 double to_double(Q<I, F> q) {
   return std::ldexp(static_cast<double>(q.raw()), -F);

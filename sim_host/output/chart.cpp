@@ -11,7 +11,7 @@ constexpr std::array<const char*, 6> kColours = {"#0072b2", "#d55e00", "#009e73"
 constexpr std::array<int, 6> kShapes = {7, 5, 9, 13, 11, 15};
 
 /// A string of gnuplot's: in single quotes nothing but the quote is special.
-std::string quoted(const std::string& text) {
+std::string gnuplot_string(const std::string& text) {
   std::string result = "'";
   for (const char character : text) result += character == '\'' ? "''" : std::string(1, character);
   return result + "'";
@@ -26,10 +26,10 @@ std::string common_script(const std::string& file, const std::string& x_label, c
       "set datafile separator ','\nset grid lc rgb '#d8d8d8' lw 1\nset key {} samplen 1.5\n"
       "set border 3 lc rgb '#606060'\nset tics nomirror\nset lmargin 10\nset bmargin 3.5\n"
       "set xlabel {} noenhanced\nset ylabel {} noenhanced\n",
-      is_full ? "900,420" : "520,400", quoted(file),
+      is_full ? "900,420" : "520,400", gnuplot_string(file),
       is_full ? "outside right top Left reverse"
               : "outside center top horizontal Left reverse width -3 font ',13'",
-      quoted(x_label), quoted(y_label));
+      gnuplot_string(x_label), gnuplot_string(y_label));
 }
 
 std::string axis_script(const Axis& axis, char name) {
@@ -48,7 +48,7 @@ std::string inline_data(const ChartPoints& points, std::size_t index) {
 std::string source_of(const Series& series, std::size_t index) {
   const auto* columns = std::get_if<CsvColumns>(&series.data);
   if (columns == nullptr) return fmt::format("$series_{} using 1:2", index);
-  return fmt::format("{} using ({}):({}) every {}", quoted(columns->file), columns->x, columns->y,
+  return fmt::format("{} using ({}):({}) every {}", gnuplot_string(columns->file), columns->x, columns->y,
                      columns->every);
 }
 
@@ -77,7 +77,7 @@ std::string chart_script(const Chart& chart) {
     const Series& series = chart.series[i];
     if (const auto* points = std::get_if<ChartPoints>(&series.data)) text += inline_data(*points, i);
     plot += fmt::format("{}{} with {} title {} noenhanced", i == 0 ? "plot " : ", \\\n  ",
-                        source_of(series, i), style_of(series, i), quoted(series.title));
+                        source_of(series, i), style_of(series, i), gnuplot_string(series.title));
   }
   return text + plot + "\nunset output\n";
 }
@@ -99,7 +99,7 @@ std::string chart_script(const StackedBars& chart) {
   for (std::size_t i = 0; i < chart.parts.size(); ++i) {
     text += fmt::format("{}$bars using {}:xticlabels(1) lc rgb '{}' title {} noenhanced",
                         i == 0 ? "plot " : ", \\\n  ", i + 2, kColours[i % kColours.size()],
-                        quoted(chart.parts[i].title));
+                        gnuplot_string(chart.parts[i].title));
   }
   return text + "\nunset output\n";
 }

@@ -26,7 +26,7 @@ Outcome run_shell(const std::string& command) {
   return outcome;
 }
 
-std::string quoted(const std::string& path) {
+std::string shell_word(const std::string& path) {
   std::string text = "'";
   for (const char character : path) {
     if (character == '\'') {
@@ -57,7 +57,8 @@ void require_gnuplot() {
 void run_gnuplot(const std::string& script, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "plot.gp";
   write_whole_file(file.string(), script);
-  const Outcome outcome = run_shell(fmt::format("cd {} && gnuplot plot.gp 2>&1", quoted(folder.string())));
+  const Outcome outcome =
+      run_shell(fmt::format("cd {} && gnuplot plot.gp 2>&1", shell_word(folder.string())));
   std::filesystem::remove(file);
   if (outcome.status != 0) throw EnvironmentError("gnuplot failed: " + last_line(outcome.text));
 }

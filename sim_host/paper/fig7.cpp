@@ -94,7 +94,7 @@ void write_csv(const std::vector<Curve>& curves, const std::filesystem::path& pa
   file.print("time_s,model,force_mN,end_y_mm\n");
   for (const Curve& curve : curves) {
     for (const auto& [time_s, end_mm] : *curve.end_mm) {
-      const auto tick = static_cast<std::size_t>(time_s * 1e3 + 0.5);
+      const auto tick = static_cast<std::size_t>(std::lround(time_s * 1e3));
       file.print("{:.3f},{},{:.5f},{:.5f}\n", time_s, curve.title, 1e3 * length((*curve.force_n)[tick - 1]),
                  end_mm);
     }

@@ -2,6 +2,7 @@
 // centre line's length. The core, settled, against the static solution of the reference.
 #include <gtest/gtest.h>
 
+#include "oracle/paper_bar.hpp"
 #include "reference/experiments.hpp"
 #include "support/bodies.hpp"
 #include "support/forests.hpp"
@@ -9,12 +10,11 @@
 namespace palpate::test {
 namespace {
 
-using Profile = WithFullCorotation<CuboidPaper>;
+using PaperProfile = WithFullCorotation<CuboidPaper>;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kLengthEdges = 3.0;
-constexpr double kQuarterTurn = 1.5707963267948966;
 
 /// A cross-section of a bar bent into an arc of `angle` in the x-z plane, lengths in edges.
 struct Section {
@@ -38,7 +38,7 @@ RigidMotion end_motion(double angle) {
       fixed_vector<Position>(section.centre - section.rotation * Vector3d(0, 0, kLengthEdges / 2))};
 }
 
-sim::ModelParameters bar() {
+sim::ModelParameters core_bar() {
   sim::ModelParameters parameters;
   parameters.remesh.rotation = RotationCriterion::kFull;
   parameters.held = sim::HeldEnds::kBoth;
@@ -46,15 +46,14 @@ sim::ModelParameters bar() {
   return parameters;
 }
 
-reference::StaticSolution static_bend(const State<Profile>& state, double edge_m) {
-  return reference::solve_static(reference::bend_problem(reference::mesh_of(state.forest, edge_m),
-                                                         reference::material_of(500.0, 0.49, 10.0),
+reference::StaticSolution static_bend(const State<PaperProfile>& state, double edge_m) {
+  return reference::solve_static(reference::bend_problem(reference::mesh_of(state.forest, edge_m), tissue(),
                                                          kQuarterTurn, reference::BendFrame::kHeldEnd));
 }
 
 TEST(BentBar, StaticSolutionConverges) {
-  const sim::ModelParameters parameters = bar();
-  const auto state = started<Profile>(compile_model(parameters));
+  const sim::ModelParameters parameters = core_bar();
+  const auto state = started<PaperProfile>(compile_model(parameters));
   const reference::StaticSolution solution = static_bend(*state, parameters.edge_m);
   ASSERT_TRUE(solution.converged);
   EXPECT_LT(solution.residual_n, 1e-10);
@@ -66,8 +65,8 @@ TEST(BentBar, StaticSolutionConverges) {
 }
 
 TEST(FullBentBar, SettlesWhereTheReferenceDoes) {
-  const sim::ModelParameters parameters = bar();
-  const auto state = started<Profile>(compile_model(parameters));
+  const sim::ModelParameters parameters = core_bar();
+  const auto state = started<PaperProfile>(compile_model(parameters));
   TickInput input = input_at_rest();
   for (int k = 1; k <= 2000; ++k) {
     input.hold_motion[1] = end_motion(kQuarterTurn * k / 2000.0);

@@ -2,6 +2,7 @@
 // beside the reference, tick by tick, and the peak force against a static solution.
 #include <gtest/gtest.h>
 
+#include "oracle/paper_bar.hpp"
 #include "reference/static_solver.hpp"
 #include "support/bodies.hpp"
 #include "support/forests.hpp"
@@ -9,7 +10,7 @@
 namespace palpate::test {
 namespace {
 
-using Profile = WithFullCorotation<CuboidPaper>;
+using PaperProfile = WithFullCorotation<CuboidPaper>;
 using Eigen::Vector3d;
 
 constexpr LatticePoint kDrivenCorner{16, 16, 48};
@@ -39,7 +40,7 @@ struct Deviation {
 };
 
 Deviation run_beside_reference(const sim::ModelParameters& parameters, int ticks) {
-  const auto state = started<Profile>(compile_model(parameters));
+  const auto state = started<PaperProfile>(compile_model(parameters));
   const double edge = parameters.edge_m;
   reference::ReferenceBody body(reference::mesh_of(state->forest, edge), reference_parameters(parameters),
                                 reference::held_nodes(state->forest, state->model.held));
@@ -78,11 +79,11 @@ TEST(FullCuboidSine, FollowsTheReferenceAtRho1000) { expect_close(bar(1000.0, 1)
 
 /// The corner at +50 mm, at rest: the reaction of full corotation in doubles.
 double static_peak_n() {
-  const auto state = started<Profile>(compile_model(bar(10.0, 4)));
+  const auto state = started<PaperProfile>(compile_model(bar(10.0, 4)));
   const uint16_t corner = node_at(state->forest, kDrivenCorner);
   reference::StaticProblem problem;
-  problem.mesh = reference::mesh_of(state->forest, 0.064);
-  problem.materials = {reference::material_of(500.0, 0.49, 10.0)};
+  problem.mesh = reference::mesh_of(state->forest, kEdgeM);
+  problem.materials = {tissue()};
   for (const uint8_t held : reference::held_nodes(state->forest, state->model.held)) {
     problem.prescribed.push_back(held != 0);
   }
@@ -104,7 +105,7 @@ TEST(CuboidSine, StaticPeakIsThatOfCorotation) { EXPECT_NEAR(static_peak_n() / 4
 TEST(FullCuboidSine, SlowPeakIsTheStaticOne) {
   constexpr double kSlowness = 20.0;
   const sim::ModelParameters parameters = bar(10.0, 4);
-  const auto state = started<Profile>(compile_model(parameters));
+  const auto state = started<PaperProfile>(compile_model(parameters));
   TickOutput output{};
   for (int k = 0; k <= 25000; ++k) output = tick_once(*state, sine_input(parameters, k, kSlowness));
   const double peak = doubles(output.reaction).norm() * sim::newtons_per_unit(parameters);

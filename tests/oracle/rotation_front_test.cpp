@@ -2,6 +2,7 @@
 // table is the gate, an independent computation's figures check the setup.
 #include <gtest/gtest.h>
 
+#include "oracle/paper_bar.hpp"
 #include "reference/front_search.hpp"
 #include "reference/rotation_criterion.hpp"
 #include "support/forests.hpp"
@@ -17,18 +18,14 @@ using reference::Front;
 using reference::FrontPoint;
 using reference::RotationSource;
 
-constexpr double kQuarterTurn = 1.5707963267948966;
-
 const BisectionTree& bar_tree() {
   static const BisectionTree tree = [] {
     const auto forest = roots_of<Bar>(bar_block());
     EXPECT_EQ(refine_uniformly(*forest, 6), MeshStatus::kDone);
-    return reference::tree_of(*forest, 0.064);
+    return reference::tree_of(*forest, kEdgeM);
   }();
   return tree;
 }
-
-reference::Material tissue() { return reference::material_of(500.0, 0.49, 10.0); }
 
 AdaptiveCorotation bent(RotationSource source) {
   return AdaptiveCorotation(

@@ -1,6 +1,7 @@
 // The paper's two experiments, static, in three models. The figures are those of an independent computation.
 #include <gtest/gtest.h>
 
+#include "oracle/paper_bar.hpp"
 #include "reference/experiments.hpp"
 #include "reference/mesh_from_forest.hpp"
 #include "reference/quadratic_tets.hpp"
@@ -17,8 +18,6 @@ using reference::Positions;
 using reference::StaticProblem;
 using reference::StaticSolution;
 
-constexpr double kQuarterTurn = 1.5707963267948966;
-constexpr double kEdgeM = 0.064;
 constexpr double kLengthM = 3 * kEdgeM;
 
 Mesh bar(uint8_t level = 6) {
@@ -26,8 +25,6 @@ Mesh bar(uint8_t level = 6) {
   EXPECT_EQ(refine_uniformly(*forest, level), MeshStatus::kDone);
   return reference::mesh_of(*forest, kEdgeM);
 }
-
-reference::Material tissue() { return reference::material_of(500.0, 0.49, 10.0); }
 
 Positions bent(const Mesh& mesh, ElasticModel model, BendFrame frame) {
   StaticProblem problem = reference::bend_problem(mesh, tissue(), kQuarterTurn, frame);

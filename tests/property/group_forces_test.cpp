@@ -12,8 +12,8 @@ namespace palpate::test {
 namespace {
 
 using Eigen::Vector3d;
-using Profile = TestProfile<500, 300, 9>;
-using Body = ElasticBody<Profile>;
+using GroupsProfile = TestProfile<500, 300, 9>;
+using Body = ElasticBody<GroupsProfile>;
 
 uint32_t rounds() { return in_soak(5000u, 100u); }
 
@@ -21,7 +21,7 @@ uint32_t rounds() { return in_soak(5000u, 100u); }
 /// positions are rounded once, which makes 2 2^size u in A; then as tet by tet (element_force_test.cpp), a
 /// rotation back, and the net rounding of each group at its first node.
 std::vector<double> node_bounds(Body& body) {
-  std::vector<double> bound(Profile::kNodes, 0.0);
+  std::vector<double> bound(GroupsProfile::kNodes, 0.0);
   for (uint32_t i = 0; i < body.forest().leaf_count; ++i) {
     const Leaf& leaf = body.forest().leaf[i];
     const Material& material = body.materials[leaf.region];
@@ -47,7 +47,7 @@ std::vector<double> node_bounds(Body& body) {
 
 /// With each leaf's own force from its group's rotation.
 std::vector<Vector3<Force>> forces_one_by_one(Body& body, uint32_t& clamped) {
-  std::vector<Vector3<Force>> f(Profile::kNodes, zero_vector<Force>());
+  std::vector<Vector3<Force>> f(GroupsProfile::kNodes, zero_vector<Force>());
   for (uint32_t i = 0; i < body.forest().leaf_count; ++i) {
     const Leaf& leaf = body.forest().leaf[i];
     const auto& x = body.node().position;
@@ -66,7 +66,7 @@ TEST(GroupForces, AreThoseOfTheTetsOneByOne) {
   double worst_over_bound = 0.0;
   uint32_t compared = 0;
   for (uint32_t round = 0; round < rounds(); ++round) {
-    Body body = random_body<Profile>(random, 50 + 3 * round % 400);
+    Body body = random_body<GroupsProfile>(random, 50 + 3 * round % 400);
     deform_at_random(body, random, 0.5 * random.unit());
     uint32_t clamped = 0;
     const auto expected = forces_one_by_one(body, clamped);
@@ -92,7 +92,7 @@ TEST(GroupForces, AreThoseOfTheFormula) {
   Random random(72);
   double worst_over_bound = 0.0;
   for (uint32_t round = 0; round < rounds(); ++round) {
-    Body body = random_body<Profile>(random);
+    Body body = random_body<GroupsProfile>(random);
     deform_at_random(body, random, 0.5);
     if (body.evaluate() != 0) continue;
     const reference::Mesh mesh = reference::mesh_of(body.forest(), 1.0);
@@ -132,7 +132,7 @@ TEST(GroupForces, SumToExactlyZero) {
   Random random(73);
   uint32_t clamped = 0;
   for (uint32_t round = 0; round < rounds(); ++round) {
-    Body body = random_body<Profile>(random);
+    Body body = random_body<GroupsProfile>(random);
     deform_at_random(body, random, round % 10 == 0 ? 8.0 : random.unit());
     body.for_nodes(
         [&](uint16_t n) { body.node().position[n] = within_position_limit(body.node().position[n]); });
@@ -147,7 +147,7 @@ TEST(GroupForces, SumToExactlyZero) {
 TEST(GroupForces, AreZeroAtRestForAnyFront) {
   Random random(74);
   for (uint32_t round = 0; round < rounds(); ++round) {
-    Body body = random_body<Profile>(random);
+    Body body = random_body<GroupsProfile>(random);
     ASSERT_EQ(body.evaluate(), 0u);
     body.for_nodes([&](uint16_t n) { ASSERT_EQ(body.node().force[n], zero_vector<Force>()); });
     body.for_groups([&](uint16_t g) {
@@ -159,7 +159,7 @@ TEST(GroupForces, AreZeroAtRestForAnyFront) {
 
 TEST(GroupForces, AreTheSameBitsObservedOrNot) {
   Random random(75);
-  Body body = random_body<Profile>(random);
+  Body body = random_body<GroupsProfile>(random);
   deform_at_random(body, random, 0.7);
   body.evaluate<Observe::kYes>();
   const auto observed = body.node().force;
@@ -172,11 +172,11 @@ TEST(GroupForces, AreTheSameBitsObservedOrNot) {
 TEST(GroupForces, DoNotDependOnTheOrderOfGroupsAndLeaves) {
   Random random(76);
   for (uint32_t round = 0; round < rounds() / 4; ++round) {
-    Body body = random_body<Profile>(random);
+    Body body = random_body<GroupsProfile>(random);
     deform_at_random(body, random, 0.7);
     body.evaluate<Observe::kNo>();
     const auto before = body.node().force;
-    RotationFront<Profile>& front = body.front();
+    RotationFront<GroupsProfile>& front = body.front();
     const uint16_t used = front.groups.used();
     for (uint32_t i = 0; i < used / 2u; ++i) {
       std::swap(PoolCorruptor::order(front.groups, i), PoolCorruptor::order(front.groups, used - 1u - i));
@@ -198,7 +198,7 @@ TEST(GroupForces, ObserveTheVolumeMeanOfTheGradient) {
   Random random(77);
   double worst_lsb = 0.0;
   for (uint32_t round = 0; round < rounds(); ++round) {
-    Body body = random_body<Profile>(random);
+    Body body = random_body<GroupsProfile>(random);
     deform_at_random(body, random, 0.7);
     if (body.evaluate() != 0) continue;
     const reference::Mesh mesh = reference::mesh_of(body.forest(), 1.0);

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Profile = TestProfile<500, 300, 9>;
-using Body = ElasticBody<Profile>;
+using GroupsProfile = TestProfile<500, 300, 9>;
+using Body = ElasticBody<GroupsProfile>;
 
 /// One leaf as a group sees it.
 struct Seen {
@@ -71,7 +71,7 @@ TEST(Misfit, IsItsFormula) {
   uint32_t compared = 0;
   double worst = 0.0;
   for (uint32_t round = 0; round < in_soak(5000u, 200u); ++round) {
-    Body body = random_body<Profile>(random, 50 + 3 * round % 400);
+    Body body = random_body<GroupsProfile>(random, 50 + 3 * round % 400);
     deform_at_random(body, random, random.unit());
     if (body.evaluate() != 0) continue;
     const reference::Mesh mesh = reference::mesh_of(body.forest(), 1.0);
@@ -96,7 +96,7 @@ TEST(Misfit, OfASingleLeafIsZero) {
   Random random(82);
   uint32_t leaves = 0;
   for (int round = 0; round < 50; ++round) {
-    Body body = random_body<Profile>(random);
+    Body body = random_body<GroupsProfile>(random);
     deform_at_random(body, random, 1.0);
     (void)body.evaluate();
     body.for_groups([&](uint16_t g) {
@@ -114,7 +114,7 @@ TEST(Misfit, OfASingleLeafIsZero) {
 TEST(Misfit, OfARigidMotionIsZero) {
   Random random(83);
   for (int round = 0; round < 50; ++round) {
-    Body body = random_body<Profile>(random);
+    Body body = random_body<GroupsProfile>(random);
     const Matrix3d r = random.rotation();
     const Vector3d shift = random.vector();
     body.place([&](const Vector3d& x0) { return Vector3d(r * x0 + shift); });
@@ -128,7 +128,7 @@ TEST(Misfit, OfARigidMotionIsZero) {
 TEST(Misfit, OfAPureStretchIsZero) {
   Random random(84);
   for (int round = 0; round < 50; ++round) {
-    Body body = random_body<Profile>(random);
+    Body body = random_body<GroupsProfile>(random);
     const Matrix3d q = random.rotation();
     const Matrix3d stretch = q * random.between(0.95, 1.05).asDiagonal() * q.transpose();
     body.place([&](const Vector3d& x0) { return Vector3d(stretch * x0); });

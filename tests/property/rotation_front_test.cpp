@@ -74,10 +74,10 @@ TEST(RotationFront, StaysAPartitionOfADeepCube) {
   walk<TestProfile<300, 150, 14>>(full_block(1, 1, 1), 63, changes());
 }
 
-struct FewGroups : TestProfile<400, 200, 9> {
+struct ThirtyGroups : TestProfile<400, 200, 9> {
   static constexpr uint16_t kGroups = 30;
 };
-TEST(RotationFront, SurvivesGroupsThatRunOut) { walk<FewGroups>(bar_block(), 64, changes()); }
+TEST(RotationFront, SurvivesGroupsThatRunOut) { walk<ThirtyGroups>(bar_block(), 64, changes()); }
 
 /// The same by rapidcheck, which shrinks a sequence that fails to the few changes that matter.
 RC_GTEST_PROP(RotationFront, AnyShortSequenceKeepsIt, (const std::vector<uint16_t>& changes)) {
@@ -90,10 +90,10 @@ RC_GTEST_PROP(RotationFront, AnyShortSequenceKeepsIt, (const std::vector<uint16_
   }
 }
 
-using Profile = TestProfile<400, 200, 9>;
+using FrontProfile = TestProfile<400, 200, 9>;
 
 /// A front without the numbers of its groups: the leaves of each tet on it, in order.
-std::map<uint16_t, std::vector<uint16_t>> content(const RotationFront<Profile>& front) {
+std::map<uint16_t, std::vector<uint16_t>> content(const RotationFront<FrontProfile>& front) {
   std::map<uint16_t, std::vector<uint16_t>> leaves;
   for (uint32_t i = 0; i < front.groups.used(); ++i) {
     const uint16_t group = front.groups.live(i);
@@ -105,7 +105,7 @@ std::map<uint16_t, std::vector<uint16_t>> content(const RotationFront<Profile>& 
 
 TEST(RotationFront, JoiningUndoesSplitting) {
   Random random(65);
-  MeshWithFront<Profile> mesh = mesh_with_front<Profile>(bar_block(), 2, 0);
+  MeshWithFront<FrontProfile> mesh = mesh_with_front<FrontProfile>(bar_block(), 2, 0);
   uint32_t splits = 0;
   for (int round = 0; round < 200; ++round) {
     change_often(*mesh.forest, *mesh.front, 5, random);
@@ -127,7 +127,7 @@ TEST(RotationFront, JoiningUndoesSplitting) {
 
 TEST(RotationFront, IsMadeOfTheTetsAtALevelAndOfLeavesAboveIt) {
   Random random(66);
-  MeshWithFront<Profile> mesh = mesh_with_front<Profile>(bar_block(), 2, 0);
+  MeshWithFront<FrontProfile> mesh = mesh_with_front<FrontProfile>(bar_block(), 2, 0);
   change_often(*mesh.forest, *mesh.front, 60, random);
   for (uint8_t level = 0; level <= 9; ++level) {
     ASSERT_TRUE(make_groups(*mesh.forest, *mesh.front, level));
@@ -141,8 +141,8 @@ TEST(RotationFront, IsMadeOfTheTetsAtALevelAndOfLeavesAboveIt) {
 }
 
 TEST(RotationFront, RefusesASplitWithoutAFreeGroupAndChangesNothing) {
-  MeshWithFront<FewGroups> mesh = mesh_with_front<FewGroups>(bar_block(), 3, 0);
-  for (uint16_t group = 0; mesh.front->groups.used() < FewGroups::kGroups; ++group) {
+  MeshWithFront<ThirtyGroups> mesh = mesh_with_front<ThirtyGroups>(bar_block(), 3, 0);
+  for (uint16_t group = 0; mesh.front->groups.used() < ThirtyGroups::kGroups; ++group) {
     ASSERT_NE(split_and_index(*mesh.forest, *mesh.front, group), kNone);
   }
   const auto before = *mesh.front;
@@ -156,7 +156,7 @@ TEST(RotationFront, RefusesASplitWithoutAFreeGroupAndChangesNothing) {
 /// All tets at a level by the ends of their refinement edges, from the roots down by the rule of bisection.
 class EdgeMap {
  public:
-  EdgeMap(const Forest<Profile>& forest, const Forest<Profile>& roots) : forest_(forest) {
+  EdgeMap(const Forest<FrontProfile>& forest, const Forest<FrontProfile>& roots) : forest_(forest) {
     for (uint32_t i = 0; i < roots.leaf_count; ++i)
       visit(roots.leaf[i].tet, corners_of(roots, roots.leaf[i]), 0);
   }
@@ -185,7 +185,7 @@ class EdgeMap {
     visit(forest_.child(tet, 1), second, static_cast<uint8_t>(level + 1));
   }
 
-  const Forest<Profile>& forest_;
+  const Forest<FrontProfile>& forest_;
   std::map<uint16_t, Edge> edge_;
   std::map<Edge, std::set<uint16_t>> around_;
 };
@@ -197,10 +197,10 @@ TEST(FrontPatch, IsAllTetsAroundTheEdgeOrNamesACoarserGroup) {
   uint32_t blocked = 0;
   for (int round = 0; round < 60; ++round) {
     const Block block = round % 2 == 0 ? bar_block() : full_block(2, 2, 1);
-    MeshWithFront<Profile> mesh = mesh_with_front<Profile>(block, 2, 0);
+    MeshWithFront<FrontProfile> mesh = mesh_with_front<FrontProfile>(block, 2, 0);
     change_often(*mesh.forest, *mesh.front, 100, random);
-    const EdgeMap edges(*mesh.forest, *roots_of<Profile>(block));
-    for (uint16_t tet = 0; tet < Forest<Profile>::kTets; ++tet) {
+    const EdgeMap edges(*mesh.forest, *roots_of<FrontProfile>(block));
+    for (uint16_t tet = 0; tet < Forest<FrontProfile>::kTets; ++tet) {
       if (!mesh.forest->pairs.is_live(static_cast<uint16_t>(tet >> 1)) || mesh.forest->tet[tet].is_leaf)
         continue;
       std::set<uint16_t> expected;

@@ -10,7 +10,6 @@ namespace palpate::test {
 namespace {
 
 using Eigen::Vector3d;
-using Profile = MovingProfile;
 
 /// Of free nodes, with the masses that the integrator has: 1 / impulse.
 double kinetic_energy_after_kick(Moving& m) {
@@ -59,7 +58,7 @@ TEST(Release, SumsToZeroAndNeverAddsEnergy) {
     held_ends += is_free(m, split.ends[0]) && is_free(m, split.ends[1]) ? 0u : 1u;
     const auto before = m.body.node().force;
     const double energy = kinetic_energy_after_kick(m);
-    TetherForces<Profile> forces(m.body.forest(), *m.solve, kNone);
+    TetherForces<MovingProfile> forces(m.body.forest(), *m.solve, kNone);
     forces.add(tether_of(split, TetherKind::kRelease, static_cast<uint8_t>(1 + random.below(kTetherTicks))),
                1);
     Vector3<Force> sum = zero_vector<Force>();
@@ -93,7 +92,7 @@ TEST(Release, TakesAwayTheRateThatItSays) {
     };
     const Vector3d u = rate();
     const auto ticks = static_cast<uint8_t>(1 + random.below(kTetherTicks));
-    TetherForces<Profile>(m.body.forest(), *m.solve, kNone)
+    TetherForces<MovingProfile>(m.body.forest(), *m.solve, kNone)
         .add(tether_of(split, TetherKind::kRelease, ticks), 1);
     const double left = std::ldexp(1.0, -(ticks + 3) / 4);
     const double lsb = std::ldexp(12.0, -Force::kFractionBits);  // of force, at the lightest
@@ -107,7 +106,7 @@ void step(Moving& m, const Tether& tether, uint32_t remaining, const DrivenNode&
   ClampCounters clamps{0, 0, 0};
   const uint32_t substeps = m.model.dynamics.substeps;
   (void)m.body.evaluate<Observe::kNo>();
-  TetherForces<Profile>(m.body.forest(), *m.solve, driven.node)
+  TetherForces<MovingProfile>(m.body.forest(), *m.solve, driven.node)
       .add(tether, (tether.ticks_left - 1u) * substeps + remaining);
   integrate_substep(m.body.forest(), m.model.dynamics, still, driven, remaining, *m.solve, clamps);
 }

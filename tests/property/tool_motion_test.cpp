@@ -10,7 +10,7 @@
 namespace palpate::test {
 namespace {
 
-using Profile = WithFullCorotation<Small>;
+using SmallProfile = WithFullCorotation<Small>;
 using Eigen::Vector3d;
 
 /// A tool that goes from place to place near the body at up to `speed_m_s`.
@@ -32,7 +32,7 @@ class Wanderer {
   Vector3d goal_ = at_;
 };
 
-void expect_within_limits(const Forest<Profile>& forest) {
+void expect_within_limits(const Forest<SmallProfile>& forest) {
   for (uint32_t i = 0; i < forest.nodes.used(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       const Position x = forest.node.position[forest.nodes.live(i)][axis];
@@ -45,7 +45,7 @@ void expect_within_limits(const Forest<Profile>& forest) {
 /// Returns the ticks in which it held a node.
 uint32_t wander(const sim::ModelParameters& parameters, double speed_m_s, uint64_t seed) {
   Random random(seed);
-  auto state = started<Profile>(compile_model(parameters));
+  auto state = started<SmallProfile>(compile_model(parameters));
   Wanderer wanderer(random, parameters.edge_m, speed_m_s);
   TickInput input = input_at_rest();
   uint32_t grasping = 0;

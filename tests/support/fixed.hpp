@@ -4,9 +4,12 @@
 #include <Eigen/Dense>
 
 #include "palpate/elastic/rotation_extraction.hpp"
+#include "palpate/mesh/node_state.hpp"
 #include "units.hpp"
 
 namespace palpate::test {
+
+inline constexpr double kForceLsb = 1.0 / (1 << Force::kFractionBits);
 
 template <class To>
 Matrix3<To> fixed_matrix(const Eigen::Matrix3d& m) {

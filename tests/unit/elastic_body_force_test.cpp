@@ -9,23 +9,21 @@
 namespace palpate::test {
 namespace {
 
-using Profile = WithFullCorotation<CuboidDense>;
+using DenseProfile = WithFullCorotation<CuboidDense>;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kForceLsb = 1.0 / (1 << 25);
-
-std::unique_ptr<State<Profile>> bar(int level, double nu) {
+std::unique_ptr<State<DenseProfile>> bar(int level, double nu) {
   sim::ModelParameters parameters;
   parameters.level = level;
   parameters.regions[0] = {500.0, nu, 1000.0};
   parameters.substeps = 1;
   parameters.remesh.rotation = RotationCriterion::kFull;
-  return started<Profile>(compile_model(parameters));
+  return started<DenseProfile>(compile_model(parameters));
 }
 
 template <class Map>
-void place(State<Profile>& state, Map map) {
+void place(State<DenseProfile>& state, Map map) {
   for (uint32_t i = 0; i < state.forest.nodes.used(); ++i) {
     const uint16_t node = state.forest.nodes.live(i);
     const Vector3d x = map(doubles(rest_position(state.forest.node.rest[node])));
@@ -33,7 +31,7 @@ void place(State<Profile>& state, Map map) {
   }
 }
 
-double largest_force(const State<Profile>& state) {
+double largest_force(const State<DenseProfile>& state) {
   double largest = 0.0;
   for (uint32_t i = 0; i < state.forest.nodes.used(); ++i) {
     largest =
@@ -42,7 +40,7 @@ double largest_force(const State<Profile>& state) {
   return largest;
 }
 
-void update(State<Profile>& state, int rotation_steps) {
+void update(State<DenseProfile>& state, int rotation_steps) {
   for (int i = 0; i < rotation_steps; ++i) {
     evaluate_forces(state);
     update_rotations(state.front, state.groups);

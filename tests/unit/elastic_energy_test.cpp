@@ -15,8 +15,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kForceLsb = 1.0 / (1 << 25);
-
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = all_shapes(8);
   return all;

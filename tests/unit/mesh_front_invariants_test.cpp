@@ -10,14 +10,14 @@
 namespace palpate::test {
 namespace {
 
-using Profile = TestProfile<600, 300, 9>;
-using TestForest = Forest<Profile>;
-using TestFront = RotationFront<Profile>;
+using InvariantsProfile = TestProfile<600, 300, 9>;
+using TestForest = Forest<InvariantsProfile>;
+using TestFront = RotationFront<InvariantsProfile>;
 
 /// Leaves and groups of several levels.
 class FrontInvariants : public testing::Test {
  protected:
-  FrontInvariants() : whole_(mesh_with_front<Profile>(notched_block(), 1, 0)) {
+  FrontInvariants() : whole_(mesh_with_front<InvariantsProfile>(notched_block(), 1, 0)) {
     Random random(52);
     change_often(*whole_.forest, *whole_.front, 120, random);
   }
@@ -40,7 +40,7 @@ class FrontInvariants : public testing::Test {
     return kNone;
   }
 
-  MeshWithFront<Profile> whole_;
+  MeshWithFront<InvariantsProfile> whole_;
 };
 
 TEST_F(FrontInvariants, HoldBeforeAnyDamage) {
@@ -173,7 +173,7 @@ TEST_F(FrontInvariants, FindListsThatLeaveAGap) {
 TEST_F(FrontInvariants, FindStaleLists) {
   const uint16_t group = any_group(false);
   EXPECT_NE(after([=](TestForest& m, TestFront& f) {
-              auto leaves = bounded_total<Profile::kLeaves>([] {});
+              auto leaves = bounded_total<InvariantsProfile::kLeaves>([] {});
               (void)split_group(m, f, group, leaves);
             }),
             FrontViolation::kNothing);

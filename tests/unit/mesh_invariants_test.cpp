@@ -11,13 +11,13 @@
 namespace palpate::test {
 namespace {
 
-using Profile = TestProfile<600, 300, 9>;
-using TestForest = Forest<Profile>;
+using InvariantsProfile = TestProfile<600, 300, 9>;
+using TestForest = Forest<InvariantsProfile>;
 
 /// Adaptively refined, so that leaves of several levels meet.
 class Invariants : public testing::Test {
  protected:
-  Invariants() : block_(notched_block()), whole_(roots_of<Profile>(block_)) {
+  Invariants() : block_(notched_block()), whole_(roots_of<InvariantsProfile>(block_)) {
     Random random(51);
     for (int i = 0; i < 25; ++i) {
       (void)bisect_with_closure(*whole_, whole_->leaf[random.below(whole_->leaf_count)].tet);

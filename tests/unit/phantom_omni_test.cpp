@@ -4,7 +4,7 @@
 
 #include "phantom_reference.hpp"
 
-namespace palpate::phantom {
+namespace palpate::phantom::omni {
 namespace {
 
 using test::Triple;
@@ -133,4 +133,4 @@ TEST(OmniTorques, AgreeWithTheirAxesAtTheZeroPose) {
 }
 
 }  // namespace
-}  // namespace palpate::phantom
+}  // namespace palpate::phantom::omni

@@ -4,7 +4,7 @@
 
 #include "phantom_reference.hpp"
 
-namespace palpate::phantom {
+namespace palpate::phantom::premium {
 namespace {
 
 using test::degrees;
@@ -211,4 +211,4 @@ TEST(PremiumTorques, AreZeroForNoForce) {
 }
 
 }  // namespace
-}  // namespace palpate::phantom
+}  // namespace palpate::phantom::premium

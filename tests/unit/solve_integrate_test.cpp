@@ -9,11 +9,11 @@
 namespace palpate::test {
 namespace {
 
-using Profile = WithFullCorotation<Small>;
+using SmallProfile = WithFullCorotation<Small>;
 using Eigen::Vector3d;
 
 /// Random elastic-looking forces on every node.
-void push(Forest<Profile>& forest, Random& random, double strength) {
+void push(Forest<SmallProfile>& forest, Random& random, double strength) {
   for (uint32_t i = 0; i < forest.nodes.used(); ++i) {
     forest.node.force[forest.nodes.live(i)] = fixed_vector<Force>(strength * random.vector());
   }
@@ -24,7 +24,7 @@ class Integrate : public testing::TestWithParam<int> {
   Integrate() {
     sim::ModelParameters parameters = coarse_bar(GetParam() > 5 ? 10.0 : 1000.0, GetParam());
     parameters.held = sim::HeldEnds::kBoth;
-    state_ = started<Profile>(compile_model(parameters));
+    state_ = started<SmallProfile>(compile_model(parameters));
   }
 
   void run_tick(const HoldMotions& motions, const DrivenNode& driven) {
@@ -45,7 +45,7 @@ class Integrate : public testing::TestWithParam<int> {
   }
 
   Random random_{101};
-  std::unique_ptr<State<Profile>> state_;
+  std::unique_ptr<State<SmallProfile>> state_;
 };
 
 TEST_P(Integrate, HeldNodesNeverMove) {

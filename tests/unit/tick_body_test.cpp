@@ -8,7 +8,7 @@
 namespace palpate::test {
 namespace {
 
-using Profile = WithFullCorotation<Small>;
+using SmallProfile = WithFullCorotation<Small>;
 using Eigen::Vector3d;
 
 constexpr LatticePoint kFreeCorner{16, 16, 48};
@@ -28,7 +28,7 @@ TEST(TickBody, AtRestNothingHappens) {
   for (const int level : {0, 1, 2, 3}) {
     sim::ModelParameters parameters = coarse_bar(1000.0, 1);
     parameters.level = level;
-    const auto state = started<Profile>(compile_model(parameters));
+    const auto state = started<SmallProfile>(compile_model(parameters));
     for (int i = 0; i < 100; ++i) {
       const TickOutput output = tick_once(*state, input_at_rest());
       ASSERT_EQ(output.flags, 0u);
@@ -42,7 +42,7 @@ TEST(TickBody, AtRestNothingHappens) {
 }
 
 TEST(TickBody, AGraspPullsBackAndAnOpenOneDoesNot) {
-  const auto state = started<Profile>(compile_model(coarse_bar(1000.0, 1)));
+  const auto state = started<SmallProfile>(compile_model(coarse_bar(1000.0, 1)));
   const uint16_t corner = node_at(state->forest, kFreeCorner);
   TickOutput output = tick_once(*state, at_corner(Vector3d::Zero(), false));
   EXPECT_FALSE(has(output, TickFlag::kGrasping));
@@ -60,7 +60,7 @@ TEST(TickBody, AGraspPullsBackAndAnOpenOneDoesNot) {
 }
 
 TEST(TickBody, AGraspBeyondReachHoldsNothing) {
-  const auto state = started<Profile>(compile_model(coarse_bar(1000.0, 1)));
+  const auto state = started<SmallProfile>(compile_model(coarse_bar(1000.0, 1)));
   TickInput input = at_corner(Vector3d(0.2, 0, 0), true);  // reach is 10 mm = 0.156 edge
   const TickOutput output = tick_once(*state, input);
   EXPECT_FALSE(has(output, TickFlag::kGrasping));
@@ -68,7 +68,7 @@ TEST(TickBody, AGraspBeyondReachHoldsNothing) {
 }
 
 TEST(TickBody, AbsurdSpeedIsFlaggedForItsTicksOnlyAndCounted) {
-  const auto state = started<Profile>(compile_model(coarse_bar(1000.0, 1)));
+  const auto state = started<SmallProfile>(compile_model(coarse_bar(1000.0, 1)));
   EXPECT_EQ(tick_once(*state, at_corner(Vector3d::Zero(), true)).flags,
             static_cast<uint32_t>(TickFlag::kGrasping));
   const TickOutput output = tick_once(*state, at_corner(Vector3d(1, 0, 0), true));
@@ -82,7 +82,7 @@ TEST(TickBody, AbsurdSpeedIsFlaggedForItsTicksOnlyAndCounted) {
 }
 
 TEST(TickBody, AbsurdPullsFlagStrainAndPosition) {
-  const auto state = started<Profile>(compile_model(coarse_bar(1000.0, 1)));
+  const auto state = started<SmallProfile>(compile_model(coarse_bar(1000.0, 1)));
   bool strain = false;
   for (int i = 0; i < 1500; ++i) {
     const TickOutput output = tick_once(*state, at_corner(Vector3d(0.01 * i, 0, 0), true));
@@ -107,7 +107,7 @@ TEST(TickBody, StartRefusesWhatDoesNotFit) {
 TEST(TickBody, IsDeterministic) {
   uint64_t hash[2] = {0, 0};
   for (uint64_t& value : hash) {
-    const auto state = started<Profile>(compile_model(coarse_bar(10.0, 4)));
+    const auto state = started<SmallProfile>(compile_model(coarse_bar(10.0, 4)));
     TickOutput output{};
     for (int i = 0; i < 200; ++i) output = tick_once(*state, at_corner(Vector3d(0, 0.002 * i, 0), true));
     value = state_hash(*state, output);

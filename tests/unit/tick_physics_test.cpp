@@ -9,7 +9,7 @@
 namespace palpate::test {
 namespace {
 
-using Profile = WithFullCorotation<Small>;
+using SmallProfile = WithFullCorotation<Small>;
 using Eigen::Vector3d;
 
 /// Momentum in the masses that the integrator uses (1 / impulse): only the rounding of velocities can change
@@ -20,7 +20,7 @@ TEST(TickPhysics, AFreeBodyKeepsItsMomentum) {
   sim::ModelParameters parameters = coarse_bar(1000.0, 2);
   parameters.held = sim::HeldEnds::kNone;
   parameters.mass_damping_per_s = 0.0;
-  const auto state = started<Profile>(compile_model(parameters));
+  const auto state = started<SmallProfile>(compile_model(parameters));
   const uint16_t nodes = state->forest.nodes.used();
   const auto momentum = [&] {
     Vector3d sum = Vector3d::Zero();
@@ -56,7 +56,7 @@ void expect_symmetric(const Eigen::Matrix3i& symmetry) {
   Random random(122);
   sim::ModelParameters parameters = coarse_bar(1000.0, 1);
   parameters.held = sim::HeldEnds::kNone;
-  const auto state = started<Profile>(compile_model(parameters));
+  const auto state = started<SmallProfile>(compile_model(parameters));
   auto& node = state->forest.node;
   const auto image = [&](uint16_t i) {
     const Eigen::Vector3i p = symmetry * Eigen::Vector3i(node.rest[i].x, node.rest[i].y, node.rest[i].z);
@@ -114,7 +114,7 @@ TickInput at_corner(const Vector3d& displacement) {
 TEST(TickPhysics, HeldStillNothingDrifts) {
   sim::ModelParameters parameters = coarse_bar(1000.0, 1);
   parameters.mass_damping_per_s = 6.0;
-  const auto state = started<Profile>(compile_model(parameters));
+  const auto state = started<SmallProfile>(compile_model(parameters));
   for (int i = 0; i <= 200; ++i) tick_once(*state, at_corner(Vector3d(0.0, 0.002 * i, 0.0005 * i)));
   const TickInput held = at_corner(Vector3d(0.0, 0.4, 0.1));
   for (int i = 0; i < 10000; ++i) tick_once(*state, held);
@@ -143,7 +143,7 @@ TEST(TickPhysics, TwoRegionsPullLikeSpringsInSeries) {
   parameters.region_of_cube = {0, 1, 1};
   parameters.held = sim::HeldEnds::kBoth;
   parameters.mass_damping_per_s = 20.0;
-  const auto state = started<Profile>(compile_model(parameters));
+  const auto state = started<SmallProfile>(compile_model(parameters));
   TickInput input = input_at_rest();
   const double pull = 0.03;
   for (int i = 1; i <= 3000; ++i) {
