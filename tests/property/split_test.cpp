@@ -80,18 +80,18 @@ TEST(Split, ChangesNeitherMotionNorEnergy) {
 }
 
 /// f_a' + f_m / 2 = f_a at both ends, and all other forces as they were, within the rounding of the leaves
-/// around.
+/// around. Where the solver evaluates them: at x + beta_K v.
 TEST(Split, LeavesTheForcesAsTheyWere) {
   Random random(92);
   double worst_end = 0.0;
   double worst_other = 0.0;
   for (uint32_t round = 0; round < in_soak(10000u, 300u); ++round) {
     Moving m = moving_body(random, 0.5);
-    if (m.body.evaluate() != 0) continue;
+    if (m.body.evaluate_at(m.solve->force_position) != 0) continue;
     const auto before = m.body.node().force;
     const Split split = split_at_random(m, random);
     if (split.node == kNone) continue;
-    ASSERT_EQ(m.body.evaluate(), 0u);
+    ASSERT_EQ(m.body.evaluate_at(m.solve->force_position), 0u);
     const auto& force = m.body.node().force;
     m.body.for_nodes([&](uint16_t n) {
       if (n == split.node) return;

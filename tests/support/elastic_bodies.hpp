@@ -21,8 +21,12 @@ struct ElasticBody {
 
   template <Observe Mode = Observe::kYes>
   uint32_t evaluate() {
+    return evaluate_at<Mode>(node().position);
+  }
+  template <Observe Mode = Observe::kYes>
+  uint32_t evaluate_at(const std::array<Vector3<Position>, Profile::kNodes>& positions) {
     GroupForces<Profile> forces(forest(), front(), *groups, materials, *frame);
-    return forces.template evaluate<Mode>(node().position);
+    return forces.template evaluate<Mode>(positions);
   }
   template <class Visit>
   void for_nodes(Visit visit) {

@@ -25,6 +25,14 @@ inline Dynamics some_dynamics() {
   return compile_model(parameters).dynamics;
 }
 
+/// As a substep leaves it.
+inline void leave_force_position(Moving& m, uint16_t n) {
+  for (int a = 0; a < 3; ++a) {
+    m.solve->force_position[n][a] = integrate_detail::force_position(
+        m.body.node().position[n][a], m.body.node().velocity[n][a], m.model.dynamics.stiffness_damping);
+  }
+}
+
 inline Moving moving_body(Random& random, double strength) {
   Moving made{random_body<MovingProfile>(random), Model{}};
   made.model.dynamics = some_dynamics();
@@ -33,6 +41,7 @@ inline Moving moving_body(Random& random, double strength) {
   made.body.for_nodes(
       [&](uint16_t n) { made.body.node().velocity[n] = fixed_vector<Velocity>(1e-3 * random.vector()); });
   start_solve(made.body.forest(), made.model.dynamics, made.model.held, *made.solve);
+  made.body.for_nodes([&](uint16_t n) { leave_force_position(made, n); });
   return made;
 }
 

@@ -15,20 +15,27 @@ namespace stretch_detail {
 /// Squared rest lengths of edges in quarters of h^2 are 2, 3, 4, 8 and 12.
 inline constexpr uint32_t kMostQuarters = 12;
 using Inverse = Q<0, 31>;
-inline constexpr std::array<Inverse, kMostQuarters + 1> kInverse = {
-    Inverse::from_raw(0), Inverse::max(),       Inverse::ratio(1, 2),  Inverse::ratio(1, 3),
-    Inverse::ratio(1, 4), Inverse::ratio(1, 5), Inverse::ratio(1, 6),  Inverse::ratio(1, 7),
-    Inverse::ratio(1, 8), Inverse::ratio(1, 9), Inverse::ratio(1, 10), Inverse::ratio(1, 11),
-    Inverse::ratio(1, 12)};
+inline constexpr Inverse kNoEdge = Inverse::from_raw(0);
+inline constexpr auto kInverse = [] {
+  std::array<Inverse, kMostQuarters + 1> inverse{};
+  inverse[2] = Inverse::ratio(1, 2);
+  inverse[3] = Inverse::ratio(1, 3);
+  inverse[4] = Inverse::ratio(1, 4);
+  inverse[8] = Inverse::ratio(1, 8);
+  inverse[12] = Inverse::ratio(1, 12);
+  return inverse;
+}();
 
-/// |a - b|^2 of two rest points, in quarters of h^2.
+/// |a - b|^2 of the rest points of an edge's ends, in quarters of h^2.
 inline uint32_t quarters(LatticePoint a, LatticePoint b, uint32_t size) {
   const int32_t x = a.x - b.x;
   const int32_t y = a.y - b.y;
   const int32_t z = a.z - b.z;
   const auto square = static_cast<uint32_t>(x * x + y * y + z * z);
   const uint32_t scaled = (4u * square) >> (2u * (kLatticeBits - size));
-  return scaled < kMostQuarters ? scaled : kMostQuarters;
+  const uint32_t quarters = scaled < kMostQuarters ? scaled : kMostQuarters;
+  check(kInverse[quarters] != kNoEdge, "no edge has this length at rest");
+  return quarters;
 }
 
 }  // namespace stretch_detail
@@ -98,8 +105,8 @@ StretchMeasure strain_jump(const Forest<Profile>& forest, const Leaf& leaf) {
     if (leaf.neighbour[face] == kNone) continue;
     const Matrix3<Q<6, 25>> other = cauchy_green(forest, forest.leaf_of(leaf.neighbour[face]));
     for (const uint32_t i : bounded<9>(9, [] {})) {
-      const Q<6, 25> difference = abs(own.data()[i] - other.data()[i]);
-      const auto jump = narrow_saturated<StretchMeasure>(widen<27>(difference));
+      const Acc<27> difference = widen<27>(own.data()[i]) - widen<27>(other.data()[i]);  // within +-96
+      const auto jump = narrow_saturated<StretchMeasure>(difference.raw() < 0 ? -difference : difference);
       largest = jump > largest ? jump : largest;
     }
   }

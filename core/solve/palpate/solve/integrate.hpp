@@ -43,24 +43,6 @@ inline NodeControl control_of(LatticePoint rest, const HeldRegions& held) {
   return NodeControl::kFree;
 }
 
-/// Control, impulse and force position of a node that is new.
-template <class Profile>
-void start_node(const Forest<Profile>& forest, const Dynamics& dynamics, const HeldRegions& held,
-                uint16_t node, SolveState<Profile>& solve) {
-  solve.control[node] = control_of(forest.node.rest[node], held);
-  solve.impulse[node] = impulse_of(dynamics, forest.node.mass[node]);
-  solve.force_position[node] = forest.node.position[node];
-}
-
-/// Of every live node. At boot.
-template <class Profile>
-void start_solve(const Forest<Profile>& forest, const Dynamics& dynamics, const HeldRegions& held,
-                 SolveState<Profile>& solve) {
-  for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
-    start_node(forest, dynamics, held, forest.nodes.live(i), solve);
-  }
-}
-
 namespace integrate_detail {
 
 /// v + f impulse - alpha_M dt v in one rounding, clamped to the range of Velocity.
@@ -105,6 +87,29 @@ inline constexpr std::array<Q<0, 31>, kMaxSubsteps + 1> kFractions = {
     Q<0, 31>::ratio(1, 6), Q<0, 31>::ratio(1, 7), Q<0, 31>::ratio(1, 8)};
 
 }  // namespace integrate_detail
+
+/// Control, impulse and force position of a node that is new.
+template <class Profile>
+void start_node(const Forest<Profile>& forest, const Dynamics& dynamics, const HeldRegions& held,
+                uint16_t node, SolveState<Profile>& solve) {
+  solve.control[node] = control_of(forest.node.rest[node], held);
+  solve.impulse[node] = impulse_of(dynamics, forest.node.mass[node]);
+  // As its edge's ends have it: it starts halfway between theirs, and the split changes no force.
+  for (const uint32_t axis : bounded<3>(3, [] {})) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    solve.force_position[node][a] = integrate_detail::force_position(
+        forest.node.position[node][a], forest.node.velocity[node][a], dynamics.stiffness_damping);
+  }
+}
+
+/// Of every live node. At boot.
+template <class Profile>
+void start_solve(const Forest<Profile>& forest, const Dynamics& dynamics, const HeldRegions& held,
+                 SolveState<Profile>& solve) {
+  for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
+    start_node(forest, dynamics, held, forest.nodes.live(i), solve);
+  }
+}
 
 /// Moves all live nodes by one substep; `remaining` counts it: 1 in the last substep of a tick.
 template <class Profile>

@@ -43,6 +43,30 @@ void add_front(const State<Profile>& state, StateHash& hash) {
   for (const uint32_t i : bounded<Profile::kTethers>(state.tethers.count, [] {})) {
     const Tether& tether = state.tethers.tether[i];
     hash.add(tether.node | uint32_t{tether.ticks_left} << 16 | static_cast<uint32_t>(tether.kind) << 24);
+    hash.add(tether.end[0] | uint32_t{tether.end[1]} << 16);
+    hash.add(uint32_t{tether.tet});
+  }
+}
+
+/// Which leaves want to be split, and where the looks at them go on.
+template <class Profile>
+void add_urgencies(const State<Profile>& state, StateHash& hash) {
+  const Urgencies<Profile>& urgencies = state.urgencies;
+  for (const uint32_t i : bounded<Profile::kLeaves>(state.forest.leaf_count, [] {})) {
+    hash.add(uint32_t{urgencies.of[state.forest.leaf[i].tet]});
+  }
+  hash.add(urgencies.sweep_at | uint32_t{urgencies.split_at} << 16);
+  hash.add(uint32_t{urgencies.merge_at});
+}
+
+/// What the last force evaluation saw of the groups.
+template <class Profile>
+void add_observations(const State<Profile>& state, StateHash& hash) {
+  for (const uint32_t i : bounded<Profile::kGroups>(state.front.groups.used(), [] {})) {
+    const uint16_t group = state.front.groups.live(i);
+    hash.add(state.groups.gradient[group]);
+    hash.add(state.groups.misfit[group]);
+    hash.add(state.groups.misfit_left[group]);
   }
 }
 
@@ -66,6 +90,7 @@ void add_stage(const State<Profile>& state, const TickOutput& output, CoreStage 
     case CoreStage::kRemesh:
       hash_detail::add_mesh(state.forest, hash);
       hash_detail::add_front(state, hash);
+      hash_detail::add_urgencies(state, hash);
       hash.add(state.waiting);
       break;
     case CoreStage::kRotations:
@@ -77,6 +102,7 @@ void add_stage(const State<Profile>& state, const TickOutput& output, CoreStage 
       break;
     case CoreStage::kForces:
       hash_detail::add_nodes(state.forest, state.forest.node.force, hash);
+      hash_detail::add_observations(state, hash);
       hash.add(state.clamps.strain);
       break;
     case CoreStage::kIntegrate:
