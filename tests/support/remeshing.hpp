@@ -44,10 +44,18 @@ void expect_whole(const State<Profile>& state) {
     for (const uint16_t node : {tether.node, tether.end[0], tether.end[1]}) {
       ASSERT_TRUE(state.forest.nodes.is_live(node)) << "tick " << state.tick;
     }
-    ASSERT_EQ(state.tethers.find(tether.node), i);
-    ASSERT_EQ(state.tethers.find(tether.end[0]), Tethers<Profile>::kNobody);
-    ASSERT_EQ(state.tethers.find(tether.end[1]), Tethers<Profile>::kNobody);
+    ASSERT_TRUE(state.tethers.holds(tether.node));
+    ASSERT_FALSE(state.tethers.holds(tether.end[0]));
+    ASSERT_FALSE(state.tethers.holds(tether.end[1]));
   }
+  uint32_t held = 0;
+  for (uint32_t node = 0; node < Profile::kNodes; ++node)
+    held += state.tethers.holds(static_cast<uint16_t>(node)) ? 1u : 0u;
+  ASSERT_EQ(held, state.tethers.count) << "tick " << state.tick;
+  uint32_t waiting = 0;
+  for (uint32_t i = 0; i < state.forest.leaf_count; ++i)
+    waiting += state.urgencies.of[state.forest.leaf[i].tet] >= Urgencies<Profile>::kWanted ? 1u : 0u;
+  ASSERT_EQ(state.remesh.leaves_waiting, waiting) << "tick " << state.tick;
 }
 
 /// What one tick changed.

@@ -1,7 +1,8 @@
 // Changes of the simulation front in one tick. Every leaf has an urgency, renewed in slices: how much it
 // wants to be split. The most urgent leaves are split, each with its whole patch, coarser patches first; a
-// leaf that has to wait keeps its urgency, which grows with every renewal, so none starves. Calm patches are
-// merged, after their middle node was drawn to where its removal changes nothing.
+// leaf that has to wait keeps its urgency, which grows with every renewal, so none starves. One whose patch
+// has to wait for a tether does not hold the others up: it is passed over. Calm patches are merged, after
+// their middle node was drawn to where its removal changes nothing.
 //
 // `Body` is what the solver knows and does; a struct with
 //   bool is_free(node)                                       nothing else moves it
@@ -46,6 +47,9 @@ class MeshChanges {
  private:
   using Urgency = Urgencies<Profile>;
   using Ends = std::array<uint16_t, 2>;
+  struct SplitBudget {
+    uint32_t patches, tets;
+  };
 
   void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }
 
@@ -59,32 +63,41 @@ class MeshChanges {
 
   void split_most_urgent() {
     MostUrgent<Profile> wanted;
-    waiting_ = find_most_urgent(forest_, urgencies_, wanted);
-    uint32_t tets_left = Profile::kTetsSplit;
-    for (const uint32_t i : bounded<Profile::kPatches>(wanted.count, [] {})) {
+    waiting_ = find_most_urgent(
+        forest_, urgencies_, [this](const Leaf& leaf) { return is_tethered(edge_of(leaf)); }, wanted);
+    SplitBudget left{Profile::kPatches, Profile::kTetsSplit};
+    for (const uint32_t i : bounded<MostUrgent<Profile>::kLooks>(wanted.count, [] {})) {
+      if (left.patches == 0) break;
       const uint16_t tet = wanted.tet[i];
       if (!forest_.tet[tet].is_leaf) continue;  // split by an earlier patch
       urgencies_.split_at = static_cast<uint16_t>(forest_.tet[tet].link + 1);
-      if (!split_towards(tet, tets_left)) break;
+      if (!split_towards(tet, left)) break;
     }
-    counters_.leaves_waiting = static_cast<uint16_t>(waiting_);
-    if (waiting_ > 0 && flags_ == 0) flag(RemeshFlag::kPatchBudget);
+    counters_.leaves_waiting = static_cast<uint16_t>(waiting_.all);
+    if (waiting_.all > waiting_.blocked && flags_ == 0) flag(RemeshFlag::kPatchBudget);
+  }
+
+  /// No edge is split at a slaved node.
+  [[nodiscard]] bool is_tethered(const Ends& ends) const {
+    return tethers_.holds(ends[0]) || tethers_.holds(ends[1]);
   }
 
   /// Splits the patch of a leaf, or the coarser one in its way. False when nothing more can be split now.
-  bool split_towards(uint16_t tet, uint32_t& tets_left) {
+  bool split_towards(uint16_t tet, SplitBudget& left) {
     Patch patch{};
     const MeshStatus found = find_ready_patch(forest_, tet, patch);
     if (found != MeshStatus::kDone || !stays_within_levels(patch)) {
       urgencies_.of[tet] = Urgency::kBarred;
-      --waiting_;
+      --waiting_.all;
       return true;
     }
     const Ends ends = edge_of(forest_.leaf_of(patch.tet[0]));
-    const bool tethered = tethers_.find(ends[0]) != Tethers<Profile>::kNobody ||
-                          tethers_.find(ends[1]) != Tethers<Profile>::kNobody;
-    if (tethered) return true;  // no edge is split at a slaved node
-    if (patch.count > tets_left) return false;
+    if (is_tethered(ends)) {
+      urgencies_.of[tet] |= Urgency::kAsleep;
+      ++waiting_.blocked;
+      return true;
+    }
+    if (patch.count > left.tets) return false;
     if (tethers_.is_full()) return refuse(RemeshFlag::kTethers);
     switch (bisect(forest_, patch)) {
       case MeshStatus::kDone:
@@ -94,7 +107,8 @@ class MeshChanges {
       default:
         return refuse(RemeshFlag::kLeaves);
     }
-    tets_left -= patch.count;
+    --left.patches;
+    left.tets -= patch.count;
     after_split(patch, ends);
     return true;
   }
@@ -117,7 +131,9 @@ class MeshChanges {
 
   void after_split(const Patch& patch, const Ends& ends) {
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-      waiting_ -= urgencies_.of[patch.tet[i]] >= Urgency::kWanted ? 1u : 0u;
+      const uint8_t urgency = urgencies_.of[patch.tet[i]];
+      waiting_.all -= urgency >= Urgency::kWanted ? 1u : 0u;
+      waiting_.blocked -= urgency > Urgency::kMost ? 1u : 0u;
       urgencies_.of[forest_.child(patch.tet[i], 0)] = Urgency::kNeutral;
       urgencies_.of[forest_.child(patch.tet[i], 1)] = Urgency::kNeutral;
     }
@@ -226,16 +242,14 @@ class MeshChanges {
   void draw(const Leaf& leaf) {
     const uint16_t middle = middle_of(leaf);
     Patch patch{};
-    if (tethers_.find(middle) != Tethers<Profile>::kNobody) return;
+    if (tethers_.holds(middle)) return;
     if (find_merge(forest_, leaf.tet, patch) != MeshStatus::kDone || !may_merge(patch, Urgency::kCalm))
       return;
     const Leaf& first = forest_.leaf_of(forest_.child(patch.tet[0], 0));
     const Leaf& second = forest_.leaf_of(forest_.child(patch.tet[0], 1));
     const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(first.level - 1)));
     const Ends ends{first.node[0], second.node[end - 1]};
-    if (tethers_.find(ends[0]) != Tethers<Profile>::kNobody) return;
-    if (tethers_.find(ends[1]) != Tethers<Profile>::kNobody) return;
-    if (would_split_again(patch, ends)) return;
+    if (is_tethered(ends) || would_split_again(patch, ends)) return;
     tether(middle, ends, patch.tet[0], TetherKind::kDraw);
   }
 
@@ -247,7 +261,7 @@ class MeshChanges {
   uint16_t pinned_;
   Body& body_;
   RemeshCounters& counters_;
-  uint32_t waiting_ = 0;
+  Waiting waiting_{0, 0};
   uint32_t flags_ = 0;
   bool changed_ = false;
 };

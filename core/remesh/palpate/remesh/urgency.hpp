@@ -17,13 +17,16 @@ struct Urgencies {
   static constexpr uint8_t kBarred =
       2;  // wants to be split, but a level in its patch's way may not be passed
   static constexpr uint8_t kWanted = 3;  // and more: wants to be split
-  static constexpr uint8_t kMost = 255;
+  static constexpr uint8_t kMost = 127;
+  static constexpr uint8_t kAsleep = 128;  // beside it: not looked at until its next renewal
   static constexpr uint32_t kSlice = (Profile::kLeaves + kSweepTicks - 1) / kSweepTicks;
 
   std::array<uint8_t, Forest<Profile>::kTets> of;  // of leaf tets
   uint16_t sweep_at;                               // the leaf whose urgency is renewed next
   uint16_t split_at;  // where the search for the most urgent leaf starts: after the last one found
   uint16_t merge_at;  // where the search for calm patches goes on
+
+  [[nodiscard]] uint8_t awake(uint16_t tet) const { return of[tet] & kMost; }
 
   void clear() {
     for (const uint32_t i : bounded<Forest<Profile>::kTets>(Forest<Profile>::kTets, [] {})) of[i] = kNeutral;
@@ -79,23 +82,24 @@ void renew_urgencies(const Forest<Profile>& forest, const StretchRules& rules, u
   for ([[maybe_unused]] const uint32_t i : bounded<kSlice>(count, [] {})) {
     if (urgencies.sweep_at >= forest.leaf_count) urgencies.sweep_at = 0;
     const Leaf& leaf = forest.leaf[urgencies.sweep_at];
-    urgencies.of[leaf.tet] = urgency_of(forest, leaf, rules, pinned, urgencies.of[leaf.tet]);
+    urgencies.of[leaf.tet] = urgency_of(forest, leaf, rules, pinned, urgencies.awake(leaf.tet));
     ++urgencies.sweep_at;
   }
 }
 
-/// The most urgent leaf tets, at most one a patch of the budget, worst first.
+/// The most urgent leaf tets, worst first: one a patch of the budget, and some for those that prove blocked.
 template <class Profile>
 struct MostUrgent {
-  std::array<uint16_t, Profile::kPatches> tet;
-  std::array<uint8_t, Profile::kPatches> urgency;
+  static constexpr uint32_t kLooks = Profile::kPatches + 3;
+  std::array<uint16_t, kLooks> tet;
+  std::array<uint8_t, kLooks> urgency;
   uint32_t count = 0;
 
   void offer(uint16_t candidate, uint8_t how_urgent) {
-    const bool full = count == Profile::kPatches;
+    const bool full = count == kLooks;
     if (full && urgency[count - 1] >= how_urgent) return;
     uint32_t at = full ? count - 1 : count;
-    for ([[maybe_unused]] const uint32_t i : bounded<Profile::kPatches>(at, [] {})) {
+    for ([[maybe_unused]] const uint32_t i : bounded<kLooks>(at, [] {})) {
       if (urgency[at - 1] >= how_urgent) break;
       tet[at] = tet[at - 1];
       urgency[at] = urgency[at - 1];
@@ -107,20 +111,30 @@ struct MostUrgent {
   }
 };
 
-/// Goes through all leaves, from split_at on, so that equally urgent ones take turns. Returns how many want
-/// to be split.
-template <class Profile>
-uint32_t find_most_urgent(const Forest<Profile>& forest, Urgencies<Profile>& urgencies,
-                          MostUrgent<Profile>& wanted) {
-  uint32_t waiting = 0;
+/// How many leaves want to be split, and how many of them are known not to be able to now.
+struct Waiting {
+  uint32_t all, blocked;
+};
+
+/// Goes through all leaves, from split_at on, so that equally urgent ones take turns. Leaves that are asleep
+/// or that `is_blocked(leaf)` are passed over.
+template <class Profile, class IsBlocked>
+Waiting find_most_urgent(const Forest<Profile>& forest, Urgencies<Profile>& urgencies, IsBlocked is_blocked,
+                         MostUrgent<Profile>& wanted) {
+  using Urgency = Urgencies<Profile>;
+  Waiting waiting{0, 0};
   if (urgencies.split_at >= forest.leaf_count) urgencies.split_at = 0;
   uint32_t at = urgencies.split_at;
   for ([[maybe_unused]] const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    const uint16_t tet = forest.leaf[at].tet;
-    const uint8_t urgency = urgencies.of[tet];
-    if (urgency >= Urgencies<Profile>::kWanted) {
-      ++waiting;
-      wanted.offer(tet, urgency);
+    const Leaf& leaf = forest.leaf[at];
+    const uint8_t urgency = urgencies.of[leaf.tet];
+    if (urgency >= Urgency::kWanted) {
+      ++waiting.all;
+      if (urgency > Urgency::kMost || is_blocked(leaf)) {
+        ++waiting.blocked;
+      } else {
+        wanted.offer(leaf.tet, urgency);
+      }
     }
     ++at;
     if (at == forest.leaf_count) at = 0;

@@ -2,7 +2,7 @@
 // from the midpoint of its edge's ends a and b, u = v - (v_a + v_b) / 2 its rate after the substep without
 // the tether, and S = w + w_a / 4 + w_b / 4 the rate that a unit force on the node gives it (w: Impulse, 0
 // for ends that something else moves), the force on the node is
-//   F = - k u / S                 release: k goes from 1 - 2^-8 to 1/2, then the tether is gone
+//   F = - k u / S                 release: k falls from 64/65 to 1/9, then the tether is gone
 //   F = - (u + d / substeps left) / S    draw: the node is at the midpoint in the end
 // and the ends take half of -F each: linear momentum is exact. A release is an inelastic impulse, which never
 // adds kinetic energy. The reaction of a grasped end holds its share of F.
@@ -15,6 +15,14 @@ namespace palpate {
 
 /// A component of F stays within this, so that forces of many tethers and elements fit at one node.
 inline constexpr Force kTetherForceLimit = Force::ratio(1, 2);
+
+/// k of a release by its ticks left, from 1 on, in 2^-16: k / (1 - k) = 2^(9 (ticks - 1) / 31 - 3). As a drag
+/// this falls by the same ratio every tick: the node passes its critical damping slowly, whatever its mass
+/// and stiffness are, moves to its place meanwhile, and is nearly free in the end.
+inline constexpr std::array<uint16_t, kTetherTicks + 1> kReleaseParts = {
+    0,     7282,  8690,  10322, 12194, 14319, 16697, 19322, 22172, 25213, 28398,
+    31669, 34963, 38212, 41355, 44337, 47115, 49659, 51954, 53993, 55784, 57340,
+    58677, 59818, 60785, 61599, 62281, 62850, 63323, 63715, 64040, 64307, 64528};
 
 namespace tether_detail {
 
@@ -92,10 +100,10 @@ class TetherForces {
                       widen<Position::kFractionBits>(x[tether.end[1]][a]);
     return x[tether.node][a] - narrow<Position>(divide_by_power_of_two<1>(ends));
   }
-  /// - k u with k = 1 - 2^-n, n from 8 down to 1.
+  /// - k u
   static Velocity released(Velocity u, uint32_t ticks_left) {
-    const uint32_t n = (ticks_left + 3u) / 4u;
-    return Velocity::from_raw((u.raw() >> n) - u.raw());
+    const int64_t product = -int64_t{u.raw()} * kReleaseParts[ticks_left];
+    return Velocity::from_raw(static_cast<int32_t>(shift_right_rounded(product, 16)));
   }
   /// 1 / substeps left.
   static Q<0, 31> part_of(uint32_t substeps_left) {
