@@ -24,7 +24,7 @@ void check_regions(const ModelParameters& parameters) {
   double heaviest = 0.0;
   for (const auto& region : regions) heaviest = std::max(heaviest, region.density_kg_m3);
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    const std::string where = regions.size() == 1 ? "" : fmt::format("region {}: ", i);
+    const std::string where = place_of_region(parameters, i);
     require_range(where + "youngs_modulus_pa", regions[i].youngs_modulus_pa, domain::kYoungsModulusPa);
     require_range(where + "poisson_ratio", regions[i].poisson_ratio, domain::kPoissonRatio);
     require_range(where + "density_kg_m3", regions[i].density_kg_m3, domain::kDensityKgM3);
@@ -94,21 +94,41 @@ void check_step(const ModelParameters& parameters) {
   const double step_s = 1e-3 / parameters.substeps;
   const int needed = needed_substeps(parameters);
   if (parameters.substeps < needed) {
-    const auto advice =
-        needed <= static_cast<int>(kMaxSubsteps)
-            ? fmt::format("needs {} substeps", needed)
-            : fmt::format(
-                  "would need {} substeps, more than {}: take a coarser level, a larger density "
-                  "or a softer material",
-                  needed, kMaxSubsteps);
+    const int finest = parameters.finest_level(least_stable_region(parameters));
+    const char* level = finest == parameters.level ? "level" : "most_level";
+    const auto advice = needed <= static_cast<int>(kMaxSubsteps)
+                            ? fmt::format("needs {} substeps", needed)
+                            : fmt::format(
+                                  "would need {} substeps, more than {}: take a coarser {}, a larger density "
+                                  "or a softer material",
+                                  needed, kMaxSubsteps, level);
     throw BadInput(fmt::format(
-        "the model is unstable with {} substeps of {:.3f} ms: its critical step is {:.3f} ms; it {}",
-        parameters.substeps, step_s * 1e3, critical_step_s(parameters) * 1e3, advice));
+        "the model is unstable with {} substeps of {:.3f} ms: its critical step at {} {} is "
+        "{:.3f} ms; it {}",
+        parameters.substeps, step_s * 1e3, level, finest, critical_step_s(parameters) * 1e3, advice));
   }
   check_impulse(parameters);
   const double largest = largest_stiffness_damping_s(critical_step_s(parameters), step_s);
   require_range("stiffness_damping_s", parameters.stiffness_damping_s,
                 {0.0, std::min(largest, domain::kLargestDampingInSteps * step_s)});
+}
+
+/// The mesh starts at one level everywhere, so each region's range must hold it.
+void check_levels(const ModelParameters& parameters, std::size_t i) {
+  const RegionParameters& region = parameters.regions[i];
+  const int least = parameters.least_level(region);
+  const int most = parameters.most_level(region);
+  const std::string where = place_of_region(parameters, i);
+  require_range(where + "least_level", least, domain::kLevel);
+  require_range(where + "most_level", most, domain::kLevel);
+  const auto refuse = [&](const char* name, int value, const char* bound_name, int bound, const char* side) {
+    throw BadInput(fmt::format("{}{} is {}, but {} is {}: it must be {} or {}", where, name, value,
+                               bound_name, bound, bound, side));
+  };
+  const bool both_are_given = region.least_level != kStartLevel && region.most_level != kStartLevel;
+  if (both_are_given && least > most) refuse("most_level", most, "least_level", least, "more");
+  if (parameters.level < least) refuse("level", parameters.level, "least_level", least, "more");
+  if (parameters.level > most) refuse("level", parameters.level, "most_level", most, "less");
 }
 
 void check_remesh(const ModelParameters& parameters) {
@@ -118,14 +138,14 @@ void check_remesh(const ModelParameters& parameters) {
   require_range("rotation_join_ratio", remesh.rotation_join_ratio, domain::kHysteresis);
   require_range("stretch_split", remesh.stretch_split, domain::kStretchSplit);
   require_range("stretch_merge_ratio", remesh.stretch_merge_ratio, domain::kHysteresis);
-  for (const RegionParameters& region : parameters.regions) {
-    require_range("least_level", region.least_level, domain::kLevel);
-    require_range("most_level", region.most_level,
-                  {static_cast<double>(region.least_level), domain::kLevel.high});
-  }
+  for (std::size_t i = 0; i < parameters.regions.size(); ++i) check_levels(parameters, i);
 }
 
 }  // namespace
+
+std::string place_of_region(const ModelParameters& parameters, std::size_t i) {
+  return parameters.regions.size() == 1 ? "" : fmt::format("region {}: ", i);
+}
 
 void check_domain(const ModelParameters& parameters) {
   check_shape(parameters);

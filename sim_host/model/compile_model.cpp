@@ -74,19 +74,21 @@ RotationRules compile_rotation_rules(const RemeshParameters& remesh) {
       compile_angle(remesh.rotation_join_ratio * remesh.rotation_split_deg, remesh.rotation)};
 }
 
+/// A mesh that may not change costs nothing.
 StretchRules compile_stretch_rules(const ModelParameters& parameters) {
   const RemeshParameters& remesh = parameters.remesh;
   const auto threshold = [&](double value) {
     const bool is_jump = remesh.stretch == StretchCriterion::kStrainJump;
     return to_fixed<Q<4, 27>>(is_jump ? 2.0 * value : (1.0 + value) * (1.0 + value) - 1.0);
   };
-  StretchRules rules{remesh.stretch,
+  StretchRules rules{parameters.mesh_may_change() ? remesh.stretch : StretchCriterion::kFixed,
                      threshold(remesh.stretch_split),
                      threshold(remesh.stretch_merge_ratio * remesh.stretch_split),
                      {}};
   for (std::size_t i = 0; i < kRegions; ++i) {
     const RegionParameters& region = region_or_last(parameters, i);
-    rules.levels[i] = {static_cast<uint8_t>(region.least_level), static_cast<uint8_t>(region.most_level)};
+    rules.levels[i] = {static_cast<uint8_t>(parameters.least_level(region)),
+                       static_cast<uint8_t>(parameters.most_level(region))};
   }
   return rules;
 }

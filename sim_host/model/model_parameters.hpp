@@ -17,12 +17,15 @@ struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Of a region's levels that are not given: leaves stay as fine as they start.
+inline constexpr int kStartLevel = -1;
+
 struct RegionParameters {
   double youngs_modulus_pa = 500.0;
   double poisson_ratio = 0.49;
   double density_kg_m3 = 10.0;
-  int least_level = 0;  // of leaves, while the mesh changes
-  int most_level = 6;
+  int least_level = kStartLevel;  // of leaves, while the mesh changes
+  int most_level = kStartLevel;
 };
 
 enum class HeldEnds { kNone, kOne, kBoth };  // the faces at the low end, or at both ends, of the longest axis
@@ -33,7 +36,7 @@ struct RemeshParameters {
   int rotation_level = 0;             // of the coarsest rotation tets
   double rotation_split_deg = 1.5;    // theta_max
   double rotation_join_ratio = 0.85;  // theta_min / theta_max
-  StretchCriterion stretch = StretchCriterion::kFixed;
+  StretchCriterion stretch = StretchCriterion::kSixEdges;
   double stretch_split = 0.1;        // elongation l / l0 - 1; of a strain jump, the difference of strains
   double stretch_merge_ratio = 0.5;  // the same below which leaves are merged, over stretch_split
 };
@@ -50,9 +53,23 @@ struct ModelParameters {
   HeldEnds held = HeldEnds::kOne;
   double grasp_reach_m = 0.010;
   RemeshParameters remesh;
-  /// Of any leaf, now or later.
+
+  [[nodiscard]] int least_level(const RegionParameters& region) const {
+    return region.least_level == kStartLevel ? level : region.least_level;
+  }
+  [[nodiscard]] int most_level(const RegionParameters& region) const {
+    return region.most_level == kStartLevel ? level : region.most_level;
+  }
+  /// Whether a leaf may ever be split or merged.
+  [[nodiscard]] bool mesh_may_change() const {
+    return remesh.stretch != StretchCriterion::kFixed &&
+           std::any_of(regions.begin(), regions.end(), [this](const RegionParameters& region) {
+             return least_level(region) != most_level(region);
+           });
+  }
+  /// Of any leaf of a region, now or later.
   [[nodiscard]] int finest_level(const RegionParameters& region) const {
-    return remesh.stretch == StretchCriterion::kFixed ? level : std::max(level, region.most_level);
+    return remesh.stretch == StretchCriterion::kFixed ? level : most_level(region);
   }
 };
 
@@ -61,6 +78,9 @@ struct SceneParameters {
   std::array<double, 3> body_centre_in_device_m = {0.18, 0.0, -0.17};
   double force_scale = 1.0;
 };
+
+/// Begins a message on one of several regions: "region 1: ", or nothing when there is one.
+std::string place_of_region(const ModelParameters& parameters, std::size_t i);
 
 /// The supported domain (docs/numerics.md) and a stable step. Throws BadInput outside.
 void check_domain(const ModelParameters& parameters);

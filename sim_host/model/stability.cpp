@@ -31,12 +31,18 @@ double critical_step_s(int level, double edge_m, const RegionParameters& region)
   return in_table * by_edge * by_density * by_poisson;
 }
 
+const RegionParameters& least_stable_region(const ModelParameters& parameters) {
+  const auto step_s = [&](const RegionParameters& region) {
+    return critical_step_s(parameters.finest_level(region), parameters.edge_m, region);
+  };
+  return *std::min_element(
+      parameters.regions.begin(), parameters.regions.end(),
+      [&](const RegionParameters& a, const RegionParameters& b) { return step_s(a) < step_s(b); });
+}
+
 double critical_step_s(const ModelParameters& parameters) {
-  double least = 1e9;
-  for (const RegionParameters& region : parameters.regions) {
-    least = std::min(least, critical_step_s(parameters.finest_level(region), parameters.edge_m, region));
-  }
-  return least;
+  const RegionParameters& region = least_stable_region(parameters);
+  return critical_step_s(parameters.finest_level(region), parameters.edge_m, region);
 }
 
 int needed_substeps(const ModelParameters& parameters) {

@@ -11,8 +11,11 @@ namespace palpate::sim {
 /// for nu 0 to 0.495, at levels 0 and 1 up to 24 % below; tests/oracle holds it to that.
 double critical_step_s(int level, double edge_m, const RegionParameters& region);
 
-/// The smallest over all regions, at the model's finest level.
+/// The smallest over all regions, at the finest level of each.
 double critical_step_s(const ModelParameters& parameters);
+
+/// The region that has it.
+const RegionParameters& least_stable_region(const ModelParameters& parameters);
 
 /// Substeps of 1 ms that keep a step below 0.9 of the critical one.
 int needed_substeps(const ModelParameters& parameters);

@@ -38,7 +38,7 @@ struct Scenario {
   std::string board = "host";
   std::string hold = "one";
   std::string rotations = "misfit";
-  std::string stretch = "fixed";
+  std::string stretch = "six-edges";
   ModelParameters model;
   SineParameters sine;
   BendParameters bend;

@@ -22,16 +22,28 @@ int64_t tets_at(const ModelParameters& model, int level) {
   return cubes * kRootsPerCube << level;
 }
 
+/// Whether the mesh fits at this level, however it may change later.
 template <class Profile>
 Status try_level(const Scenario& scenario, int level, State<Profile>& state) {
   ModelParameters at_level = scenario.model;
   at_level.level = level;
+  for (RegionParameters& region : at_level.regions) region.least_level = region.most_level = kStartLevel;
   return start(state, compile_model(at_level));
+}
+
+/// An automatic level stays within what the regions allow.
+template <class Profile>
+int deepest_allowed(const ModelParameters& model) {
+  int level = std::min<int>(kDeepestAutomaticLevel, Profile::kMaxLevel);
+  for (const RegionParameters& region : model.regions) {
+    if (region.most_level != kStartLevel) level = std::min(level, region.most_level);
+  }
+  return level;
 }
 
 template <class Profile>
 int deepest_level(const Scenario& scenario, State<Profile>& state) {
-  for (int level = std::min<int>(kDeepestAutomaticLevel, Profile::kMaxLevel); level >= 0; --level) {
+  for (int level = deepest_allowed<Profile>(scenario.model); level >= 0; --level) {
     if (tets_at(scenario.model, level) > Profile::kLeaves) continue;
     if (try_level(scenario, level, state) == Status::kDone) return level;
   }
@@ -54,13 +66,36 @@ template <class Profile>
 }
 
 template <class Profile>
+void require_levels_of_profile(const ModelParameters& model) {
+  for (std::size_t i = 0; i < model.regions.size(); ++i) {
+    const int most = model.regions[i].most_level;
+    if (most <= Profile::kMaxLevel) continue;
+    throw BadInput(fmt::format(
+        "{}most_level is {}, but profile {} goes down to level {}: take most_level {} or less, or a larger "
+        "profile",
+        place_of_region(model, i), most, Profile::kName, Profile::kMaxLevel, Profile::kMaxLevel));
+  }
+}
+
+/// Levels that follow from the level at start get their values, so that a summary names them.
+void complete_levels(ModelParameters& model) {
+  for (RegionParameters& region : model.regions) {
+    region.least_level = model.least_level(region);
+    region.most_level = model.most_level(region);
+  }
+}
+
+template <class Profile>
 Fit fit(Scenario& scenario) {
   const auto state = std::make_unique<State<Profile>>();
+  require_levels_of_profile<Profile>(scenario.model);
   int& level = scenario.model.level;
   if (level == Scenario::kAutomaticLevel) level = deepest_level(scenario, *state);
   const bool may_fit =
       level >= 0 && level <= Profile::kMaxLevel && tets_at(scenario.model, level) <= Profile::kLeaves;
   if (!may_fit || try_level(scenario, level, *state) != Status::kDone) refuse(scenario, *state);
+  check_domain(scenario.model);  // with the levels that the mesh may go to
+  complete_levels(scenario.model);
   return Fit{state->forest.leaf_count, state->forest.nodes.used(), sizeof(State<Profile>),
              sizeof(firmware::CycleState<Profile>)};
 }

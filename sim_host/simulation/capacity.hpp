@@ -12,8 +12,9 @@ struct Fit {
   std::size_t cycle_state_bytes;  // with the device
 };
 
-/// Gives an automatic level its value: the deepest up to 6 that the profile holds. Throws BadInput when the
-/// level does not fit, or none does.
+/// Gives an automatic level its value, the deepest up to 6 that the profile holds and that is not above a
+/// region's most_level; and then least_level and most_level theirs. Throws BadInput when the level does not
+/// fit, or none does, or the mesh may go deeper than the profile.
 Fit fit_to_profile(Scenario& scenario);
 
 }  // namespace palpate::sim

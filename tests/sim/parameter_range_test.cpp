@@ -46,8 +46,10 @@ ScenarioKind kind_of(const Parameter& parameter) {
 /// A model with room for one parameter to go to its end.
 Scenario easy_scenario(const Parameter& parameter) {
   Scenario scenario = built_in_scenario(kind_name(kind_of(parameter)));
-  scenario.model.regions.assign(kRegions, RegionParameters{500.0, 0.3, 2000.0, 0, kDeepestLevel});
+  scenario.model.regions.assign(kRegions, RegionParameters{500.0, 0.3, 2000.0});
   scenario.model.level = 6;
+  if (parameter.key == "least_level") scenario.model.level = kDeepestLevel;
+  if (parameter.key == "most_level") scenario.model.level = 0;
   scenario.model.edge_m = parameter.unit == "m" ? domain::kEdgeM.high : 0.064;
   scenario.grasp.scene.body_centre_in_device_m = {0.0, 0.0, 0.0};
   return scenario;

@@ -103,6 +103,25 @@ TEST(TickBody, StartRefusesWhatDoesNotFit) {
   EXPECT_EQ(start(*level, compile_model(coarse_bar(1000.0, 1))), Status::kLevelTooDeep);
 }
 
+/// Levels that a mesh would change to are the profile's, and the start's is among them.
+TEST(TickBody, StartRefusesLevelsThatCannotBe) {
+  using Deep = TestProfile<300, 300, 5>;
+  Model model = compile_model(coarse_bar(1000.0, 1));  // level 3
+  const auto status_with = [&](LevelRange last_region) {
+    auto state = std::make_unique<State<Deep>>();
+    model.remesh.stretch.levels.back() = last_region;
+    return start(*state, model);
+  };
+  EXPECT_EQ(status_with({9, 1}), Status::kDone) << "a mesh that is fixed has no use for them";
+  model.remesh.stretch.criterion = StretchCriterion::kSixEdges;
+  EXPECT_EQ(status_with({0, 5}), Status::kDone);
+  EXPECT_EQ(status_with({3, 3}), Status::kDone);
+  EXPECT_EQ(status_with({3, 6}), Status::kLevelTooDeep);
+  EXPECT_EQ(status_with({4, 5}), Status::kLevelsContradictory);
+  EXPECT_EQ(status_with({0, 2}), Status::kLevelsContradictory);
+  EXPECT_EQ(status_with({4, 2}), Status::kLevelsContradictory);
+}
+
 /// The same model and input, twice: the same bits.
 TEST(TickBody, IsDeterministic) {
   uint64_t hash[2] = {0, 0};

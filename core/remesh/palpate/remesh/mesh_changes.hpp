@@ -173,7 +173,7 @@ class MeshChanges {
   bool merge_at(Tether& tether, uint32_t& tets_left) {
     Patch patch{};
     if (!find_patch_around(tether, patch) || !may_merge(patch, Urgency::kNeutral) ||
-        would_split_again(patch, tether.end)) {
+        restores_above(rules_.split_above, patch, tether.end)) {
       tether.kind = TetherKind::kRelease;
       tether.ticks_left = kTetherTicks;
       return false;
@@ -215,12 +215,14 @@ class MeshChanges {
     return may;
   }
 
-  /// Whether the edge that a merge restores is too long at once. The halves of the six edges are edges of the
-  /// children, but of the longest ones no leaf has looked at this.
-  [[nodiscard]] bool would_split_again(const Patch& patch, const Ends& ends) const {
+  /// Whether the edge that a merge restores is longer than that. The halves of the six edges are edges of the
+  /// children, but of the longest ones no leaf has looked at this. A node is drawn only where the edge is
+  /// calm, and merged unless it would be split again at once: with one limit for both, a node might be drawn
+  /// and let go for ever.
+  [[nodiscard]] bool restores_above(StretchMeasure limit, const Patch& patch, const Ends& ends) const {
     if (rules_.criterion != StretchCriterion::kLongestEdge) return false;
     const uint32_t size = size_of_level(forest_.tet[patch.tet[0]].level);
-    return edge_stretch(forest_.node, ends[0], ends[1], size) > rules_.split_above;
+    return edge_stretch(forest_.node, ends[0], ends[1], size) > limit;
   }
 
   /// Starts to draw the middle nodes of calm patches.
@@ -249,7 +251,7 @@ class MeshChanges {
     const Leaf& second = forest_.leaf_of(forest_.child(patch.tet[0], 1));
     const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(first.level - 1)));
     const Ends ends{first.node[0], second.node[end - 1]};
-    if (is_tethered(ends) || would_split_again(patch, ends)) return;
+    if (is_tethered(ends) || restores_above(rules_.merge_below, patch, ends)) return;
     tether(middle, ends, patch.tet[0], TetherKind::kDraw);
   }
 

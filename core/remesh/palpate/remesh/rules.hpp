@@ -28,6 +28,7 @@ enum class StretchCriterion : uint8_t {
   kStrainJump    // twice the largest entry of the difference of Green strains to a neighbour across a face
 };
 
+/// Of a region's leaves; start() wants the level that the mesh starts at in it.
 struct LevelRange {
   uint8_t least, most;
 };

@@ -59,9 +59,10 @@ uint8_t urgency_of(const Forest<Profile>& forest, const Leaf& leaf, const Stretc
   using Urgency = Urgencies<Profile>;
   const LevelRange& levels = rules.levels[leaf.region];
   const bool may_split = leaf.level < levels.most;
-  const uint8_t most = before == Urgency::kBarred ? Urgency::kWanted : Urgency::kMost;
-  if (touches(leaf, pinned)) return may_split ? most : Urgency::kNeutral;
-  if (leaf.level < levels.least) return most;
+  if (touches(leaf, pinned)) {
+    if (!may_split) return Urgency::kNeutral;
+    return before == Urgency::kBarred ? Urgency::kWanted : Urgency::kMost;
+  }
   const StretchMeasure stretch = stretch_measure(forest, leaf, rules.criterion);
   if (stretch < rules.merge_below) return leaf.level > levels.least ? Urgency::kCalm : Urgency::kNeutral;
   if (stretch <= rules.split_above || !may_split) return Urgency::kNeutral;

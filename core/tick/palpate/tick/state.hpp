@@ -55,7 +55,14 @@ struct State {
   uint32_t tick;
 };
 
-enum class Status : uint8_t { kDone, kTooManyLeaves, kTooManyNodes, kTooManyGroups, kLevelTooDeep };
+enum class Status : uint8_t {
+  kDone,
+  kTooManyLeaves,
+  kTooManyNodes,
+  kTooManyGroups,
+  kLevelTooDeep,        // of the start, or a region's finest one
+  kLevelsContradictory  // a region's range is empty, or the start's level is not in it
+};
 
 /// Builds the mesh of `model` at rest. At boot, not in the cycle: O(leaves) patches.
 template <class Profile>
