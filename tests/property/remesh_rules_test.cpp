@@ -52,16 +52,23 @@ TEST(RemeshRules, AGraspedNodeStaysAndThePatchAroundItIsTheFinest) {
       << "at level 2 no edge of a cube has a node in its middle";
 }
 
+/// A bar whose nodes have been drawn for `wait` ticks, and one of them; kNone if there is none.
+std::unique_ptr<State<Roomy>> drawing(int wait, uint16_t& drawn) {
+  auto state = started<Roomy>(compile_model(remeshing_bar()));
+  for (int i = 0; i < wait; ++i) tick_once(*state, tool_at(Eigen::Vector3d::Zero(), false));
+  drawn = kNone;
+  for (uint32_t i = 0; i < state->tethers.count; ++i) {
+    if (state->tethers.tether[i].kind == TetherKind::kDraw) drawn = state->tethers.tether[i].node;
+  }
+  return state;
+}
+
 /// Grasped while it is being drawn to its end, it is let go of and stays.
 TEST(RemeshRules, ANodeThatIsGraspedWhileItIsDrawnStays) {
   uint32_t caught = 0;
   for (int wait = 1; wait < 60; wait += 3) {
-    const auto state = started<Roomy>(compile_model(remeshing_bar()));
-    for (int i = 0; i < wait; ++i) tick_once(*state, tool_at(Eigen::Vector3d::Zero(), false));
     uint16_t drawn = kNone;
-    for (uint32_t i = 0; i < state->tethers.count; ++i) {
-      if (state->tethers.tether[i].kind == TetherKind::kDraw) drawn = state->tethers.tether[i].node;
-    }
+    const auto state = drawing(wait, drawn);
     if (drawn == kNone) continue;
     ++caught;
     const Handle handle = state->forest.nodes.handle(drawn);
@@ -74,6 +81,43 @@ TEST(RemeshRules, ANodeThatIsGraspedWhileItIsDrawnStays) {
     expect_whole(*state);
   }
   EXPECT_GT(caught, 3u);
+}
+
+/// The hand holds the node from then on and nothing else does: it feels what it would without the tether.
+TEST(RemeshRules, ATetherLetsGoOfAGraspedNode) {
+  uint32_t caught = 0;
+  for (int wait = 1; wait < 60; wait += 3) {
+    uint16_t drawn = kNone;
+    const auto state = drawing(wait, drawn);
+    if (drawn == kNone) continue;
+    ++caught;
+    const auto without = std::make_unique<State<Roomy>>(*state);
+    for (uint32_t i = 0; i < without->tethers.count; ++i) {
+      if (without->tethers.tether[i].node == drawn) without->tethers.remove(i);
+    }
+    Eigen::Vector3d at = doubles(state->forest.node.position[drawn]);
+    for (int i = 0; i < 100; ++i) {
+      const Vector3<Force> reaction = tick_once(*state, tool_at(at, true)).reaction;
+      ASSERT_EQ(state->grasp.node.index, drawn);
+      ASSERT_EQ(reaction, tick_once(*without, tool_at(at, true)).reaction) << "tick " << i;
+      at[0] += 0.1 * 1e-3 / 0.064;  // 0.1 m/s
+    }
+  }
+  EXPECT_GT(caught, 3u);
+}
+
+/// A hold of one point that is no corner of a root: the mesh stays as fine there as the node needs.
+TEST(RemeshRules, AHeldNodeIsNotMergedAway) {
+  Model model = compile_model(remeshing_bar());
+  const LatticePoint point{16, 16, 0};  // in the middle of an edge of length 1, which level 2 would restore
+  model.held = {LatticeBox{point, point}, LatticeBox{{1, 1, 1}, {0, 0, 0}}};
+  const auto state = started<Roomy>(model);
+  const Handle handle = state->forest.nodes.handle(node_at(state->forest, point));
+  settle(*state, input_at_rest(), 200, 3000);
+  EXPECT_TRUE(state->forest.nodes.is_live(handle));
+  EXPECT_LT(state->forest.leaf_count, 18u << 3);
+  EXPECT_GT(state->forest.leaf_count, 18u << 2);
+  expect_whole(*state);
 }
 
 /// Groups on the leaves, which may not be joined: no leaf is merged. When they may, groups rise first.

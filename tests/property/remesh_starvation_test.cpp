@@ -30,7 +30,7 @@ bool could_split(const State<Profile>& state) {
       may = may && leaf.level < state.model.remesh.stretch.levels[leaf.region].most;
     }
     const Leaf& leaf = forest.leaf_of(patch.tet[0]);
-    const std::array<uint16_t, 2> ends = {leaf.node[0], leaf.node[refinement_end(type_of_level(leaf.level))]};
+    const EdgeEnds ends = refinement_edge(leaf);
     for (const uint16_t end : ends) may = may && !state.tethers.holds(end);
     if (may) return true;
   }

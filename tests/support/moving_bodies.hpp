@@ -57,8 +57,7 @@ inline Split split_at_random(Moving& m, Random& random) {
   Forest<MovingProfile>& forest = m.body.forest();
   const uint16_t wanted = forest.leaf[random.below(forest.leaf_count)].tet;
   if (find_ready_patch(forest, wanted, split.patch) != MeshStatus::kDone) return split;
-  const Leaf& leaf = forest.leaf_of(split.patch.tet[0]);
-  split.ends = {leaf.node[0], leaf.node[refinement_end(type_of_level(leaf.level))]};
+  split.ends = refinement_edge(forest.leaf_of(split.patch.tet[0]));
   if (bisect(forest, split.patch) != MeshStatus::kDone) return split;
   split.node = forest.nodes.live(forest.nodes.used() - 1u);
   m.nodes().added(split.node, split.ends);

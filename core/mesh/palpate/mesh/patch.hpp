@@ -20,6 +20,26 @@ struct Patch {
   uint16_t blocker;  // with kNotReady: the coarser leaf that must be bisected first
 };
 
+using EdgeEnds = std::array<uint16_t, 2>;
+
+/// The edge that a bisection of this leaf halves.
+inline EdgeEnds refinement_edge(const Leaf& leaf) {
+  return EdgeEnds{leaf.node[0], leaf.node[refinement_end(type_of_level(leaf.level))]};
+}
+
+/// The node that the bisection of this leaf's parent made. Not for a root.
+inline uint16_t middle_node(const Leaf& leaf) {
+  return leaf.node[refinement_end(type_of_level(static_cast<uint8_t>(leaf.level - 1)))];
+}
+
+/// The edge that merging the children of `parent`, which are leaves, restores.
+template <class Profile>
+EdgeEnds restored_edge(const Forest<Profile>& forest, uint16_t parent) {
+  const uint32_t end = refinement_end(type_of_level(forest.tet[parent].level));
+  return EdgeEnds{forest.leaf_of(forest.child(parent, 0)).node[0],
+                  forest.leaf_of(forest.child(parent, 1)).node[end - 1]};
+}
+
 /// Where a walk around an edge goes on: in `leaf`, entered through `entry_face`, the face opposite the fourth
 /// vertex.
 inline uint32_t exit_around_edge(const Leaf& leaf, uint16_t end0, uint16_t end1, uint32_t entry_face) {
@@ -70,14 +90,12 @@ template <class Profile>
 [[nodiscard]] MeshStatus find_patch(const Forest<Profile>& forest, uint16_t start, Patch& patch) {
   const Leaf& first = forest.leaf_of(start);
   if (first.level >= Profile::kMaxLevel) return MeshStatus::kLevelLimit;
-  const uint32_t end = refinement_end(type_of_level(first.level));
-  const uint16_t end0 = first.node[0];
-  const uint16_t end1 = first.node[end];
-  return walk_around_edge(forest, start, end, patch, [=](const Leaf& leaf) {
-    const uint16_t a = leaf.node[0];
-    const uint16_t b = leaf.node[refinement_end(type_of_level(leaf.level))];
-    return (a == end0 && b == end1) || (a == end1 && b == end0);
-  });
+  const EdgeEnds edge = refinement_edge(first);
+  return walk_around_edge(
+      forest, start, refinement_end(type_of_level(first.level)), patch, [=](const Leaf& leaf) {
+        const EdgeEnds other = refinement_edge(leaf);
+        return (other[0] == edge[0] && other[1] == edge[1]) || (other[0] == edge[1] && other[1] == edge[0]);
+      });
 }
 
 /// The patch to bisect next so that leaf tet `wanted` can be bisected: its own if ready, else a coarser one
@@ -102,7 +120,7 @@ template <class Profile>
   if (!forest.tet[first].is_leaf) return MeshStatus::kNotMergeable;
   const uint8_t level = forest.tet[first].level;
   const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(level - 1)));
-  const uint16_t middle = forest.leaf_of(first).node[end];
+  const uint16_t middle = middle_node(forest.leaf_of(first));
   const MeshStatus status = walk_around_edge(forest, first, end, patch, [=](const Leaf& leaf) {
     return leaf.level == level && leaf.node[end] == middle;
   });

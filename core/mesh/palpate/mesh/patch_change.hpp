@@ -158,9 +158,8 @@ MeshStatus bisect(Forest<Profile>& forest, const Patch& patch) {
   if (!forest.has_room_for_leaves(patch.count)) return MeshStatus::kLeavesFull;
   if (!forest.pairs.has_room(patch.count)) return MeshStatus::kPairsFull;
   if (!forest.nodes.has_room(1)) return MeshStatus::kNodesFull;
-  const Leaf& first = forest.leaf_of(patch.tet[0]);
-  const uint32_t end = refinement_end(type_of_level(first.level));
-  const uint16_t middle = patch_change::make_middle_node(forest, first.node[0], first.node[end]);
+  const EdgeEnds edge = refinement_edge(forest.leaf_of(patch.tet[0]));
+  const uint16_t middle = patch_change::make_middle_node(forest, edge[0], edge[1]);
   for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
     patch_change::split_tet(forest, patch.tet[i], middle);
   }
@@ -173,8 +172,7 @@ MeshStatus bisect(Forest<Profile>& forest, const Patch& patch) {
 
 template <class Profile>
 void merge(Forest<Profile>& forest, const Patch& patch) {
-  const Leaf& first = forest.leaf_of(forest.child(patch.tet[0], 0));
-  const uint16_t middle = first.node[refinement_end(type_of_level(static_cast<uint8_t>(first.level - 1)))];
+  const uint16_t middle = middle_node(forest.leaf_of(forest.child(patch.tet[0], 0)));
   for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
     patch_change::join_tet(forest, patch.tet[i], middle);
   }

@@ -46,26 +46,17 @@ class MeshChanges {
 
  private:
   using Urgency = Urgencies<Profile>;
-  using Ends = std::array<uint16_t, 2>;
-  struct SplitBudget {
+  struct Budget {
     uint32_t patches, tets;
   };
 
   void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }
 
-  static Ends edge_of(const Leaf& leaf) {
-    return Ends{leaf.node[0], leaf.node[refinement_end(type_of_level(leaf.level))]};
-  }
-  /// The node whose removal a merge of this leaf's parent would be.
-  static uint16_t middle_of(const Leaf& leaf) {
-    return leaf.node[refinement_end(type_of_level(static_cast<uint8_t>(leaf.level - 1)))];
-  }
-
   void split_most_urgent() {
     MostUrgent<Profile> wanted;
     waiting_ = find_most_urgent(
-        forest_, urgencies_, [this](const Leaf& leaf) { return is_tethered(edge_of(leaf)); }, wanted);
-    SplitBudget left{Profile::kPatches, Profile::kTetsSplit};
+        forest_, urgencies_, [this](const Leaf& leaf) { return is_tethered(refinement_edge(leaf)); }, wanted);
+    Budget left{Profile::kPatches, Profile::kTetsSplit};
     for (const uint32_t i : bounded<MostUrgent<Profile>::kLooks>(wanted.count, [] {})) {
       if (left.patches == 0) break;
       const uint16_t tet = wanted.tet[i];
@@ -78,12 +69,12 @@ class MeshChanges {
   }
 
   /// No edge is split at a slaved node.
-  [[nodiscard]] bool is_tethered(const Ends& ends) const {
+  [[nodiscard]] bool is_tethered(const EdgeEnds& ends) const {
     return tethers_.holds(ends[0]) || tethers_.holds(ends[1]);
   }
 
   /// Splits the patch of a leaf, or the coarser one in its way. False when nothing more can be split now.
-  bool split_towards(uint16_t tet, SplitBudget& left) {
+  bool split_towards(uint16_t tet, Budget& left) {
     Patch patch{};
     const MeshStatus found = find_ready_patch(forest_, tet, patch);
     if (found != MeshStatus::kDone || !stays_within_levels(patch)) {
@@ -91,7 +82,7 @@ class MeshChanges {
       --waiting_.all;
       return true;
     }
-    const Ends ends = edge_of(forest_.leaf_of(patch.tet[0]));
+    const EdgeEnds ends = refinement_edge(forest_.leaf_of(patch.tet[0]));
     if (is_tethered(ends)) {
       urgencies_.of[tet] |= Urgency::kAsleep;
       ++waiting_.blocked;
@@ -129,7 +120,7 @@ class MeshChanges {
     return false;
   }
 
-  void after_split(const Patch& patch, const Ends& ends) {
+  void after_split(const Patch& patch, const EdgeEnds& ends) {
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const uint8_t urgency = urgencies_.of[patch.tet[i]];
       waiting_.all -= urgency >= Urgency::kWanted ? 1u : 0u;
@@ -137,30 +128,28 @@ class MeshChanges {
       urgencies_.of[forest_.child(patch.tet[i], 0)] = Urgency::kNeutral;
       urgencies_.of[forest_.child(patch.tet[i], 1)] = Urgency::kNeutral;
     }
-    const uint16_t middle = middle_of(forest_.leaf_of(forest_.child(patch.tet[0], 0)));
+    const uint16_t middle = middle_node(forest_.leaf_of(forest_.child(patch.tet[0], 0)));
     body_.added(middle, ends);
     if (body_.is_free(middle)) tether(middle, ends, patch.tet[0], TetherKind::kRelease);
     counters_.bisected += patch.count;
     changed_ = true;
   }
 
-  void tether(uint16_t middle, const Ends& ends, uint16_t tet, TetherKind kind) {
+  void tether(uint16_t middle, const EdgeEnds& ends, uint16_t tet, TetherKind kind) {
     tethers_.add(Tether{middle, {ends[0], ends[1]}, tet, kTetherTicks, kind, 0});
   }
 
   void advance_tethers() {
-    uint32_t tets_left = Profile::kTetsMerged;
-    uint32_t patches_left = Profile::kPatches;
+    Budget left{Profile::kPatches, Profile::kTetsMerged};
     uint32_t at = 0;
     for ([[maybe_unused]] const uint32_t i : bounded<Profile::kTethers>(tethers_.count, [] {})) {
       Tether& tether = tethers_.tether[at];
-      if (tether.ticks_left > 1) {
+      if (tether.node == pinned_) {
+        tethers_.remove(at);  // the tool has it now
+      } else if (tether.ticks_left > 1) {
         --tether.ticks_left;
         ++at;
-      } else if (tether.kind == TetherKind::kRelease) {
-        tethers_.remove(at);
-      } else if (patches_left > 0 && merge_at(tether, tets_left)) {
-        --patches_left;
+      } else if (tether.kind == TetherKind::kRelease || merge_at(tether, left)) {
         tethers_.remove(at);
       } else {
         ++at;  // it holds the node where it is, or now lets go of it
@@ -170,7 +159,8 @@ class MeshChanges {
 
   /// Merges around a node that has been drawn. False, with the tether turned into a release, when the patch
   /// is no longer calm; false and as it was when the budget is used up.
-  bool merge_at(Tether& tether, uint32_t& tets_left) {
+  bool merge_at(Tether& tether, Budget& left) {
+    if (left.patches == 0) return refuse(RemeshFlag::kPatchBudget);
     Patch patch{};
     if (!find_patch_around(tether, patch) || !may_merge(patch, Urgency::kNeutral) ||
         restores_above(rules_.split_above, patch, tether.end)) {
@@ -178,8 +168,9 @@ class MeshChanges {
       tether.ticks_left = kTetherTicks;
       return false;
     }
-    if (patch.count > tets_left) return false;
-    tets_left -= patch.count;
+    if (patch.count > left.tets) return refuse(RemeshFlag::kPatchBudget);
+    --left.patches;
+    left.tets -= patch.count;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       urgencies_.of[patch.tet[i]] = Urgency::kNeutral;
     }
@@ -196,7 +187,7 @@ class MeshChanges {
     if (!forest_.pairs.is_live(static_cast<uint16_t>(tether.tet >> 1)) || forest_.tet[tether.tet].is_leaf)
       return false;
     const uint16_t child = forest_.child(tether.tet, 0);
-    if (!forest_.tet[child].is_leaf || middle_of(forest_.leaf_of(child)) != tether.node) return false;
+    if (!forest_.tet[child].is_leaf || middle_node(forest_.leaf_of(child)) != tether.node) return false;
     return find_merge(forest_, child, patch) == MeshStatus::kDone;
   }
 
@@ -219,7 +210,7 @@ class MeshChanges {
   /// children, but of the longest ones no leaf has looked at this. A node is drawn only where the edge is
   /// calm, and merged unless it would be split again at once: with one limit for both, a node might be drawn
   /// and let go for ever.
-  [[nodiscard]] bool restores_above(StretchMeasure limit, const Patch& patch, const Ends& ends) const {
+  [[nodiscard]] bool restores_above(StretchMeasure limit, const Patch& patch, const EdgeEnds& ends) const {
     if (rules_.criterion != StretchCriterion::kLongestEdge) return false;
     const uint32_t size = size_of_level(forest_.tet[patch.tet[0]].level);
     return edge_stretch(forest_.node, ends[0], ends[1], size) > limit;
@@ -232,7 +223,7 @@ class MeshChanges {
     uint32_t looks_left = 2 * Profile::kPatches;
     for ([[maybe_unused]] const uint32_t i : bounded<kSlice>(count, [] {})) {
       if (urgencies_.merge_at >= forest_.leaf_count) urgencies_.merge_at = 0;
-      if (looks_left == 0 || tethers_.is_full()) return;
+      if (looks_left == 0) return;
       const Leaf& leaf = forest_.leaf[urgencies_.merge_at];
       ++urgencies_.merge_at;
       if (urgencies_.of[leaf.tet] != Urgency::kCalm || leaf.level == 0) continue;
@@ -242,17 +233,21 @@ class MeshChanges {
   }
 
   void draw(const Leaf& leaf) {
-    const uint16_t middle = middle_of(leaf);
+    const uint16_t middle = middle_node(leaf);
     Patch patch{};
     if (tethers_.holds(middle)) return;
     if (find_merge(forest_, leaf.tet, patch) != MeshStatus::kDone || !may_merge(patch, Urgency::kCalm))
       return;
-    const Leaf& first = forest_.leaf_of(forest_.child(patch.tet[0], 0));
-    const Leaf& second = forest_.leaf_of(forest_.child(patch.tet[0], 1));
-    const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(first.level - 1)));
-    const Ends ends{first.node[0], second.node[end - 1]};
-    if (is_tethered(ends) || restores_above(rules_.merge_below, patch, ends)) return;
+    const EdgeEnds ends = restored_edge(forest_, patch.tet[0]);
+    if (is_tethered(ends) || loses_hold(middle, ends) || restores_above(rules_.merge_below, patch, ends))
+      return;
+    if (tethers_.is_full()) return flag(RemeshFlag::kTethers);
     tether(middle, ends, patch.tet[0], TetherKind::kDraw);
+  }
+
+  /// Whether something else moves the node, but not both ends of its edge.
+  [[nodiscard]] bool loses_hold(uint16_t middle, const EdgeEnds& ends) const {
+    return !body_.is_free(middle) && (body_.is_free(ends[0]) || body_.is_free(ends[1]));
   }
 
   Forest<Profile>& forest_;

@@ -12,12 +12,13 @@ using StretchMeasure = Q<4, 27>;
 
 namespace stretch_detail {
 
-/// Squared rest lengths of edges in quarters of h^2 are 2, 3, 4, 8 and 12.
+/// Squared rest lengths of edges in quarters of h^2 are 1, 2, 3, 4, 8 and 12.
 inline constexpr uint32_t kMostQuarters = 12;
 using Inverse = Q<0, 31>;
 inline constexpr Inverse kNoEdge = Inverse::from_raw(0);
 inline constexpr auto kInverse = [] {
   std::array<Inverse, kMostQuarters + 1> inverse{};
+  inverse[1] = Inverse::max();  // 1 is not in the format
   inverse[2] = Inverse::ratio(1, 2);
   inverse[3] = Inverse::ratio(1, 3);
   inverse[4] = Inverse::ratio(1, 4);
