@@ -161,40 +161,6 @@ TEST(RotationChanges, ABudgetThatIsJustEnoughIsNotNamed) {
   EXPECT_EQ(state->waiting, 0u);
 }
 
-/// One half turned against the other: both are split, also when the budget is for one patch a tick, and
-/// nobody waits then.
-template <class Profile>
-void expect_both_split() {
-  sim::ModelParameters parameters = fixed_bar(RotationCriterion::kSiblings, 4);
-  parameters.remesh.rotation_level = 1;  // the roots of a cube are split together in any case
-  const auto state = started<Profile>(compile_model(parameters));
-  const uint16_t turned = state->front.groups.live(7);
-  const uint16_t tet = state->front.tet[turned];
-  state->groups.extracted[turned] =
-      fixed_quaternion(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX()).toRotationMatrix());
-  for (int i = 0; i < 3; ++i) {
-    change_fronts(*state);
-    for (uint32_t k = 0; k < state->front.groups.used(); ++k) {
-      uint8_t& blend = state->groups.blend[state->front.groups.live(k)];
-      if (blend == kBlendTicks) --blend;
-    }
-  }
-  const auto is_split = [&](uint16_t of) {
-    const uint16_t group = state->forest.leaf_of(first_leaf(state->forest, of)).group;
-    return state->front.tet[group] != of;
-  };
-  EXPECT_TRUE(is_split(tet));
-  EXPECT_TRUE(is_split(Forest<Profile>::sibling(tet)));
-  EXPECT_EQ(state->remesh.groups_waiting, 0);
-  EXPECT_EQ(state->waiting, 0u);
-  EXPECT_TRUE(conforms(state->forest, state->front));
-}
-struct OnePatchATick : Ample {
-  static constexpr uint32_t kRotationChanges = kMaxPatch;
-};
-TEST(RotationChanges, BothOfTwoSiblingsAreSplit) { expect_both_split<Ample>(); }
-TEST(RotationChanges, BothOfTwoSiblingsAreSplitWithinABudget) { expect_both_split<OnePatchATick>(); }
-
 /// With full corotation every leaf has its own rotation, unless it is about to be merged, and the mesh goes
 /// down and up again.
 TEST(RotationChanges, FullCorotationFollowsTheMesh) {

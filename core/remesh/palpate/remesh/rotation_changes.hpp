@@ -97,17 +97,18 @@ class RotationChanges {
     }
   }
 
-  /// The classes of the groups that want to be split, before anything is: a group whose sibling is split in
-  /// this tick wants it no less.
+  [[nodiscard]] bool wants_split(uint16_t group) const {
+    return !is_leaf(group) && is_steady(group) && rotations_.split_measure(group) > rules_.split_above;
+  }
+
+  /// The classes of the groups that want to be split.
   [[nodiscard]] ClassCounts find_wanted() {
     ClassCounts classes;
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
       wanted_[group] = kNotWanted;
-      if (is_leaf(group) || !is_steady(group)) continue;
-      const uint32_t measure = rotations_.split_measure(group);
-      if (measure <= rules_.split_above) continue;
-      wanted_[group] = static_cast<Class>(class_of(measure));
+      if (!wants_split(group)) continue;
+      wanted_[group] = static_cast<Class>(class_of(rotations_.split_measure(group)));
       classes.add(wanted_[group]);
     }
     return classes;
@@ -130,9 +131,18 @@ class RotationChanges {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
       if (wanted_[group] < low || wanted_[group] >= end) continue;
-      if (!split_wanted(group)) return false;
+      if (!wants_split(group)) {
+        drop(group);  // its sibling was split: it has nothing left to differ from
+      } else if (!split_wanted(group)) {
+        return false;
+      }
     }
     return true;
+  }
+
+  void drop(uint16_t group) {
+    if (wanted_[group] != kNotWanted) --counters_.groups_waiting;
+    wanted_[group] = kNotWanted;
   }
 
   /// False when nothing more can be split in this tick.
@@ -180,8 +190,7 @@ class RotationChanges {
     const uint16_t added = split_group(forest_, front_, group, leaves_);
     if (added == kNone) return refuse(RemeshFlag::kGroups);
     rotations_.inherit(group, added);
-    if (wanted_[group] != kNotWanted) --counters_.groups_waiting;
-    wanted_[group] = kNotWanted;
+    drop(group);
     wanted_[added] = kNotWanted;
     --budget_;
     ++counters_.groups_split;

@@ -19,7 +19,7 @@ struct GroupRotations {
   [[nodiscard]] uint32_t split_measure(uint16_t group) const {
     switch (rules.criterion) {
       case RotationCriterion::kSiblings:
-        return apart(front.tet[group], Forest<Profile>::sibling(front.tet[group]));
+        return from_sibling(group);
       case RotationCriterion::kFull:
         return may_share(front.tet[group]) ? 0u : 1u;
       default:
@@ -48,23 +48,33 @@ struct GroupRotations {
   void take_over(uint16_t group, uint16_t gone) { take_over_rotation(groups, group, gone); }
 
  private:
-  /// Two groups whose mean is the rotation of a tet: its own or one above it, twice, or one of each half.
+  /// 0 when the sibling is split.
+  [[nodiscard]] uint32_t from_sibling(uint16_t group) const {
+    const uint16_t sibling = Forest<Profile>::sibling(front.tet[group]);
+    const uint16_t other = group_in(sibling);
+    return front.tet[other] == sibling ? difference(group, other) : 0;
+  }
+  /// Two groups whose mean is the rotation of a tet: its own or one above it, twice, or those of its halves.
+  /// `known` is false where the front is deeper.
   struct Halves {
     uint16_t first, second;
+    bool known;
   };
 
   [[nodiscard]] Halves halves_of(uint16_t tet) const {
     const uint16_t group = group_in(tet);
-    if (forest.tet[front.tet[group]].level <= forest.tet[tet].level) return {group, group};
-    const uint16_t child = forest.child(tet, 0);
+    if (forest.tet[front.tet[group]].level <= forest.tet[tet].level) return {group, group, true};
+    if (front.tet[group] != forest.child(tet, 0)) return {group, group, false};
     // Of a pair about to be joined the first holds their parent's rotation already.
-    if (front.tet[group] == child && front.partner[group] != kNone) return {group, group};
-    return {group, group_in(forest.child(tet, 1))};
+    if (front.partner[group] != kNone) return {group, group, true};
+    const uint16_t other = group_in(forest.child(tet, 1));
+    return {group, other, front.tet[other] == forest.child(tet, 1)};
   }
-  /// |R_a - R_b|_F^2, for a tet with two groups of the mean of their matrices.
+  /// |R_a - R_b|_F^2, for a tet with two groups of the mean of their matrices; 0 where it is not known.
   [[nodiscard]] uint32_t apart(uint16_t tet_a, uint16_t tet_b) const {
     const Halves a = halves_of(tet_a);
     const Halves b = halves_of(tet_b);
+    if (!a.known || !b.known) return 0;
     if (a.first == a.second && b.first == b.second) return difference(a.first, b.first);
     // Of two means, squared: a quarter of the four distances less a quarter of the two within.
     const uint32_t across = difference(a.first, b.first) / 4 + difference(a.first, b.second) / 4 +
