@@ -66,8 +66,8 @@ uint32_t compile_angle(double degrees, RotationCriterion criterion) {
 }
 
 RotationRules compile_rotation_rules(const RemeshParameters& remesh) {
-  // Full corotation splits whatever can be split and never joins.
-  if (remesh.rotation == RotationCriterion::kFull) return RotationRules{remesh.rotation, 0, 0, 0};
+  // Full corotation splits what measures 1 and joins what measures 0: see remesh_stage.hpp.
+  if (remesh.rotation == RotationCriterion::kFull) return RotationRules{remesh.rotation, 0, 0, 1};
   return RotationRules{
       remesh.rotation, static_cast<uint8_t>(remesh.rotation_level),
       compile_angle(remesh.rotation_split_deg, remesh.rotation),

@@ -74,9 +74,6 @@ const RestRun& BarRuns::run(const std::string& rotations, double theta_deg) {
   Scenario scenario = scenario_;
   scenario.rotations = rotations;
   scenario.model.remesh.rotation_split_deg = theta_deg;
-  // Halves differ less than the tets that they come from, so with a lower threshold above zero siblings are
-  // split and joined without end.
-  if (rotations == "siblings") scenario.model.remesh.rotation_join_ratio = 0.0;
   complete_scenario(scenario);
   runs_.push_back(run_to_rest(scenario, status_));
   return runs_.back();

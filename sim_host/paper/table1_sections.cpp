@@ -134,7 +134,7 @@ void add_error_section(ReportPage& page, const Table1Study& study) {
   if (!table.options.is_quick) {
     page.add_table(table_of(
         table, Table1Part::kSiblings,
-        "The paper's criterion in our core, siblings compared and never joined, at the paper's θ, mm."));
+        "The paper's criterion in our core, siblings compared, at the paper's θ, mm."));
     page.add_table(
         table_of(table, Table1Part::kFull, "Every tet with its own rotation: what fixed point costs, mm."));
   }

@@ -95,6 +95,22 @@ TEST(RemeshExhaustion, OfTheRotationBudget) {
   expect_exhausted<FewRotationChanges>(TickFlag::kRotationBudget, kPatch);
 }
 
+/// While the load falls and no group waits to be split, what waits are joins: these are flagged too.
+TEST(RemeshExhaustion, OfTheRotationBudgetByJoinsAlone) {
+  const auto state = started<FewRotationChanges>(compile_model(twisted_bar()));
+  for (int i = 1; i <= 600; ++i) tick_once(*state, load(std::min(1.0, i / 300.0)));
+  settle(*state, load(1.0), 300, 4000);
+  ASSERT_EQ(tick_once(*state, load(1.0)).flags & static_cast<uint32_t>(TickFlag::kRotationBudget), 0u);
+  uint32_t flagged = 0;
+  for (int i = 1; i <= 600; ++i) {
+    const TickOutput output = tick_once(*state, load(std::max(0.0, 1.0 - i / 300.0)));
+    if (state->remesh.groups_waiting == 0 && has(output, TickFlag::kRotationBudget)) ++flagged;
+  }
+  EXPECT_GT(flagged, 20u);
+  settle(*state, load(0.0), 300, 4000);
+  EXPECT_EQ(tick_once(*state, load(0.0)).flags & kAllWaiting, 0u);
+}
+
 /// With everything plentiful and the load kept, nobody waits in the end, with any criterion.
 TEST(RemeshExhaustion, IsOverWhenThereIsRoom) {
   for (const RotationCriterion criterion : {RotationCriterion::kMisfit, RotationCriterion::kSiblings}) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "palpate/mesh/front_patch.hpp"
 #include "support/bodies.hpp"
 #include "support/fronts.hpp"
 
@@ -35,10 +36,30 @@ inline TickInput pulled(double edges, double twist = 0.0, double bend = 0.0) {
   return input;
 }
 
+/// Whether all tets around one edge are on the front together or not at all: of a group's parent, which is
+/// above the front, all that share its edge are.
+template <class Profile>
+bool conforms(const Forest<Profile>& forest, const RotationFront<Profile>& front) {
+  for (uint32_t i = 0; i < front.groups.used(); ++i) {
+    const uint16_t parent = forest.parent_of(front.tet[front.groups.live(i)]);
+    if (parent == kNone) continue;
+    FrontPatch patch{};
+    if (find_front_patch(forest, front, parent, patch) != MeshStatus::kDone) return false;
+    for (uint32_t k = 0; k < patch.count; ++k) {
+      const uint16_t group = forest.leaf_of(first_leaf(forest, patch.tet[k])).group;
+      if (front.tet[group] == patch.tet[k]) return false;
+    }
+  }
+  return true;
+}
+
 template <class Profile>
 void expect_whole(const State<Profile>& state) {
   ASSERT_EQ(check_forest(state.forest, state.model.block), Violation::kNothing) << "tick " << state.tick;
   ASSERT_EQ(check_front(state.forest, state.front), FrontViolation::kNothing) << "tick " << state.tick;
+  if (state.model.remesh.rotation.criterion != RotationCriterion::kMisfit) {
+    ASSERT_TRUE(conforms(state.forest, state.front)) << "tick " << state.tick;
+  }
   for (uint32_t i = 0; i < state.tethers.count; ++i) {
     const Tether& tether = state.tethers.tether[i];
     for (const uint16_t node : {tether.node, tether.end[0], tether.end[1]}) {

@@ -133,8 +133,8 @@ template <class Profile>
 
 /// Puts the children of a group's tet, which must not be a leaf, on the front in its place: the group keeps
 /// child 0, a new one, which is returned, takes child 1. kNone, and nothing changed, when all groups are in
-/// use. `leaves` is a BoundedTotal that has the group's leaves left. Needs index_groups before the next
-/// change.
+/// use. `leaves` is a BoundedTotal that has the group's leaves left. Until index_groups the lists of `group`
+/// are the old ones and those of the new one are empty.
 template <class Profile, class Total>
 [[nodiscard]] uint16_t split_group(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_t group,
                                    Total& leaves) {
@@ -144,6 +144,8 @@ template <class Profile, class Total>
   front.tet[group] = forest.child(tet, 0);
   front.tet[added] = forest.child(tet, 1);
   front.partner[added] = kNone;
+  front.leaves[added] = Span{0, 0};
+  front.nodes[added] = Span{0, 0};
   for (const uint32_t at : leaves.take(front.leaves[group].begin, front.leaves[group].count)) {
     Leaf& leaf = forest.leaf[front.leaf_order[at]];
     if (child_towards(leaf, forest.tet[tet].level) == 1) leaf.group = added;

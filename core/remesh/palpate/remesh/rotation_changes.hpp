@@ -1,9 +1,12 @@
 // Changes of the rotation front in one tick: pairs that have blended to their parent's rotation are joined,
 // the worst groups are split, calm pairs start to blend. A group sleeps while it blends.
 //
+// Misfits are judged group by group. With the other criteria the front conforms: all tets around an edge are
+// split, begin to join, part and are joined in the same tick (front_patch.hpp).
+//
 // `Rotations` is what elasticity knows and does; a struct with
-//   uint32_t split_measure(group)             larger is worse
-//   uint32_t join_measure(group, partner)     of both under their parent's rotation, from above
+//   uint32_t split_measure(group)             how much is wrong with the group as it is; larger is worse
+//   uint32_t join_measure(group, partner)     how much would be wrong with the two as one
 //   bool is_blending(group), bool changed_now(group)
 //   void blend(group)                         both measures sleep for some ticks
 //   void inherit(group, added)                after a split
@@ -42,18 +45,24 @@ class RotationChanges {
   struct LeavesTotal {};
   using Total = decltype(bounded_total<Profile::kLeaves>(LeavesTotal{}));
 
+  using Class = uint8_t;
+  static constexpr Class kNotWanted = 255;
+
   void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }
+  [[nodiscard]] bool is_conforming() const { return rules_.criterion != RotationCriterion::kMisfit; }
   [[nodiscard]] uint8_t level_of(uint16_t group) const { return forest_.tet[front_.tet[group]].level; }
   [[nodiscard]] bool is_leaf(uint16_t group) const { return forest_.tet[front_.tet[group]].is_leaf; }
 
+  /// A pair whose misfits grew meanwhile parts. Pairs of a conforming front began with their whole patch, and
+  /// end with it. From the last group down, since a join puts the last one into the place of the one that
+  /// goes.
   void end_joins() {
-    for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
-      if (i >= front_.groups.used()) break;
-      const uint16_t group = front_.groups.live(i);
+    const uint32_t count = front_.groups.used();
+    for (const uint32_t i : bounded<Profile::kGroups>(count, [] {})) {
+      const uint16_t group = front_.groups.live(count - 1 - i);
       const uint16_t partner = front_.partner[group];
       if (partner == kNone || is_second_of_pair(front_, group) || rotations_.is_blending(group)) continue;
-      const uint32_t worst = larger(rotations_.split_measure(group), rotations_.split_measure(partner));
-      if (worst > rules_.split_above) {
+      if (!is_conforming() && worst_of(group, partner) > rules_.split_above) {
         part(group, partner);
       } else if (front_.leaves[partner].count <= leaves_.left()) {
         join_groups(forest_, front_, group, partner, leaves_);
@@ -64,7 +73,11 @@ class RotationChanges {
     }
   }
 
-  static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
+  [[nodiscard]] uint32_t worst_of(uint16_t group, uint16_t partner) const {
+    const uint32_t a = rotations_.split_measure(group);
+    const uint32_t b = rotations_.split_measure(partner);
+    return a > b ? a : b;
+  }
 
   void part(uint16_t group, uint16_t partner) {
     front_.partner[group] = kNone;
@@ -73,35 +86,68 @@ class RotationChanges {
     rotations_.blend(partner);
   }
 
-  [[nodiscard]] bool wants_split(uint16_t group) const {
-    return !is_leaf(group) && front_.partner[group] == kNone && !rotations_.is_blending(group) &&
-           rotations_.split_measure(group) > rules_.split_above;
+  /// All pairs whose parents are around one edge.
+  void part_patch(uint16_t parent) {
+    FrontPatch patch{};
+    (void)find_front_patch(forest_, front_, parent, patch);
+    for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      const uint16_t group = first_group(patch.tet[i]);
+      if (is_first_child(group, patch.tet[i]) && front_.partner[group] != kNone)
+        part(group, front_.partner[group]);
+    }
   }
 
-  void split_worst() {
+  [[nodiscard]] bool wants_split(uint16_t group) const {
+    return !is_leaf(group) && is_steady(group) && rotations_.split_measure(group) > rules_.split_above;
+  }
+
+  /// The classes of the groups that want to be split.
+  [[nodiscard]] ClassCounts find_wanted() {
     ClassCounts classes;
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
-      if (wants_split(group)) classes.add(class_of(rotations_.split_measure(group)));
+      wanted_[group] = kNotWanted;
+      if (!wants_split(group)) continue;
+      wanted_[group] = static_cast<Class>(class_of(rotations_.split_measure(group)));
+      classes.add(wanted_[group]);
     }
+    return classes;
+  }
+
+  void split_worst() {
+    const ClassCounts classes = find_wanted();
     const uint32_t wanted = classes.total();
     counters_.groups_waiting = static_cast<uint16_t>(wanted);
     if (wanted == 0) return;
-    const uint32_t lowest = classes.lowest_within(budget_);
+    const auto room = static_cast<uint32_t>(Profile::kGroups - front_.groups.used());
+    const uint32_t each = is_conforming() ? kMaxPatch : 1;  // at most so many are split for one that wants it
+    const uint32_t lowest = classes.lowest_within((budget_ < room ? budget_ : room) / each);
+    (void)(split_classes(lowest + 1, kClasses) && split_classes(lowest, lowest + 1) &&
+           split_classes(0, lowest));
+  }
+
+  /// Those from `low` to below `end`. False when nothing more can be split in this tick.
+  bool split_classes(uint32_t low, uint32_t end) {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
-      if (!wants_split(group) || class_of(rotations_.split_measure(group)) < lowest) continue;
-      if (!split_wanted(group)) break;
-      if (!wants_split(group)) --counters_.groups_waiting;
+      if (wanted_[group] < low || wanted_[group] >= end) continue;
+      if (!wants_split(group)) {
+        drop(group);  // its sibling was split: it has nothing left to differ from
+      } else if (!split_wanted(group)) {
+        return false;
+      }
     }
-    if (counters_.groups_waiting > 0 && (flags_ & static_cast<uint32_t>(RemeshFlag::kGroups)) == 0) {
-      flag(RemeshFlag::kRotationBudget);
-    }
+    return true;
+  }
+
+  void drop(uint16_t group) {
+    if (wanted_[group] != kNotWanted) --counters_.groups_waiting;
+    wanted_[group] = kNotWanted;
   }
 
   /// False when nothing more can be split in this tick.
   bool split_wanted(uint16_t group) {
-    if (rules_.criterion != RotationCriterion::kSiblings) return split_one(group);
+    if (!is_conforming()) return split_one(group);
     FrontPatch patch{};
     uint16_t wanted = group;
     for ([[maybe_unused]] const uint32_t step : bounded<Profile::kMaxLevel>(Profile::kMaxLevel, [] {})) {
@@ -123,25 +169,29 @@ class RotationChanges {
       ++members;
       leaves += front_.leaves[group].count;
     }
-    if (members > budget_ || leaves > leaves_.left()) return false;
-    if (!front_.groups.has_room(members)) return refuse();
+    if (members > budget_) return refuse(RemeshFlag::kRotationBudget);
+    if (leaves > leaves_.left()) return false;
+    if (!front_.groups.has_room(members)) return refuse(RemeshFlag::kGroups);
     for (const uint32_t i : bounded<kMaxPatch>(members, [] {})) {
-      if (front_.partner[member[i]] != kNone) part(member[i], front_.partner[member[i]]);
+      if (front_.partner[member[i]] != kNone) part_patch(forest_.parent_of(front_.tet[member[i]]));
       split_one(member[i]);
     }
     return true;
   }
 
-  bool refuse() {
-    flag(RemeshFlag::kGroups);
+  bool refuse(RemeshFlag which) {
+    flag(which);
     return false;
   }
 
   bool split_one(uint16_t group) {
-    if (budget_ == 0 || front_.leaves[group].count > leaves_.left()) return false;
+    if (budget_ == 0) return refuse(RemeshFlag::kRotationBudget);
+    if (front_.leaves[group].count > leaves_.left()) return false;
     const uint16_t added = split_group(forest_, front_, group, leaves_);
-    if (added == kNone) return refuse();
+    if (added == kNone) return refuse(RemeshFlag::kGroups);
     rotations_.inherit(group, added);
+    drop(group);
+    wanted_[added] = kNotWanted;
     --budget_;
     ++counters_.groups_split;
     changed_ = true;
@@ -159,14 +209,14 @@ class RotationChanges {
 
   void begin_joins() {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
-      if (budget_ == 0) return;
       const uint16_t group = front_.groups.live(i);
       if (!can_join(group)) continue;
-      if (rules_.criterion == RotationCriterion::kSiblings) {
-        begin_patch(forest_.parent_of(front_.tet[group]));
-      } else {
-        begin_join(group);
+      const bool fits = is_conforming() ? begin_patch(forest_.parent_of(front_.tet[group])) : budget_ > 0;
+      if (!fits) {
+        flag(RemeshFlag::kRotationBudget);
+        return;
       }
+      if (!is_conforming()) begin_join(group);
     }
   }
 
@@ -193,21 +243,22 @@ class RotationChanges {
     --budget_;
   }
 
-  /// All pairs whose parents are around one edge, or none. Where the front is coarser already, none is
-  /// needed.
-  void begin_patch(uint16_t parent) {
+  /// All pairs whose parents are around one edge, or none while some are not calm. False when they are and
+  /// have to wait for the budget. Where the front is coarser already, none is needed.
+  bool begin_patch(uint16_t parent) {
     FrontPatch patch{};
     (void)find_front_patch(forest_, front_, parent, patch);
-    if (patch.count > budget_) return;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const uint16_t group = first_group(patch.tet[i]);
-      if (front_.tet[group] != patch.tet[i] && !is_first_child(group, patch.tet[i])) return;
-      if (front_.tet[group] != patch.tet[i] && !can_join(group)) return;
+      if (front_.tet[group] == patch.tet[i]) continue;
+      if (!is_first_child(group, patch.tet[i]) || !can_join(group)) return true;
     }
+    if (patch.count > budget_) return false;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const uint16_t group = first_group(patch.tet[i]);
       if (front_.tet[group] != patch.tet[i]) begin_join(group);
     }
+    return true;
   }
 
   [[nodiscard]] uint16_t first_group(uint16_t tet) const {
@@ -223,6 +274,7 @@ class RotationChanges {
   Rotations& rotations_;
   RemeshCounters& counters_;
   Total leaves_;
+  std::array<Class, Profile::kGroups> wanted_;  // of each group in use, set by find_wanted
   uint32_t budget_;
   uint32_t flags_ = 0;
   bool changed_ = false;

@@ -8,7 +8,7 @@ namespace palpate {
 
 /// What makes a rotation tet too coarse.
 enum class RotationCriterion : uint8_t {
-  kFull,      // a group a leaf, always: full corotation
+  kFull,      // a group a leaf: full corotation; only two leaves about to be merged share one
   kSiblings,  // |R_m - R_n|_F^2 of the two halves of a parent (Tagawa et al., Eq. 3 to 5), conforming front
   kMisfit     // what splitting the group would gain (elastic/misfit.hpp)
 };

@@ -1,5 +1,5 @@
-// The worst of many within a budget, in two passes over all of them and no sorting: count them by class, find
-// the class down to which the budget reaches, take those.
+// The worst of many within a budget, with no sorting: count them by class, find the class down to which the
+// budget reaches, take all above it, then of that class what still fits.
 #pragma once
 
 #include "palpate/numeric/bounded.hpp"
@@ -27,13 +27,13 @@ class ClassCounts {
     for (const uint32_t i : bounded<kClasses>(kClasses, [] {})) sum += counts_[i];
     return sum;
   }
-  /// The lowest class so that all above it fit into the budget.
+  /// The lowest class so that all above it fit into the budget; without a budget the highest that has any.
   [[nodiscard]] uint32_t lowest_within(uint32_t budget) const {
     uint32_t sum = 0;
     uint32_t lowest = 0;
     for (const uint32_t i : bounded<kClasses>(kClasses, [] {})) {
       const uint32_t which = kClasses - 1 - i;
-      if (sum < budget) lowest = which;
+      if (sum < budget || sum == 0) lowest = which;
       sum += counts_[which];
     }
     return lowest;

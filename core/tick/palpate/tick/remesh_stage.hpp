@@ -7,29 +7,36 @@
 
 namespace palpate {
 
-/// Elasticity as RotationChanges sees it.
+/// Elasticity as RotationChanges sees it, and of the mesh what full corotation asks for.
 template <class Profile>
 struct GroupRotations {
   Groups<Profile>& groups;
   const RotationFront<Profile>& front;
   const Forest<Profile>& forest;
+  const Urgencies<Profile>& urgencies;
   const RotationRules& rules;
 
   [[nodiscard]] uint32_t split_measure(uint16_t group) const {
-    if (!by_siblings()) return static_cast<uint32_t>(groups.misfit[group].raw());
-    const uint16_t sibling = Forest<Profile>::sibling(front.tet[group]);
-    const uint16_t other = group_in(sibling);
-    return front.tet[other] == sibling ? difference(group, other) : 0;
+    switch (rules.criterion) {
+      case RotationCriterion::kSiblings:
+        return from_sibling(group);
+      case RotationCriterion::kFull:
+        return may_share(front.tet[group]) ? 0u : 1u;
+      default:
+        return static_cast<uint32_t>(groups.misfit[group].raw());
+    }
   }
+  /// Siblings: how far the two are apart, or their parent and its sibling, if that is more: it would be split
+  /// again at once.
   [[nodiscard]] uint32_t join_measure(uint16_t group, uint16_t partner) const {
     const uint16_t parent = forest.parent_of(front.tet[group]);
-    const uint32_t apart = difference(group, partner);
-    if (by_siblings()) {
-      // A parent that would differ from its own sibling would be split again at once, for ever.
-      const uint32_t parents_apart = difference(group, group_in(Forest<Profile>::sibling(parent)));
-      return parents_apart > rules.split_above ? parents_apart : apart;
+    if (rules.criterion == RotationCriterion::kFull) return may_share(parent) ? 0u : 1u;
+    const uint32_t halves_apart = difference(group, partner);
+    if (rules.criterion == RotationCriterion::kSiblings) {
+      const uint32_t parents_apart = apart(parent, Forest<Profile>::sibling(parent));
+      return parents_apart > halves_apart ? parents_apart : halves_apart;
     }
-    return static_cast<uint32_t>(joined_misfit(Q<4, 27>::from_raw(static_cast<int32_t>(apart)),
+    return static_cast<uint32_t>(joined_misfit(Q<4, 27>::from_raw(static_cast<int32_t>(halves_apart)),
                                                groups.misfit_left[group], groups.misfit_left[partner],
                                                forest.tet[parent].level)
                                      .raw());
@@ -41,7 +48,50 @@ struct GroupRotations {
   void take_over(uint16_t group, uint16_t gone) { take_over_rotation(groups, group, gone); }
 
  private:
-  [[nodiscard]] bool by_siblings() const { return rules.criterion == RotationCriterion::kSiblings; }
+  /// 0 when the sibling is split.
+  [[nodiscard]] uint32_t from_sibling(uint16_t group) const {
+    const uint16_t sibling = Forest<Profile>::sibling(front.tet[group]);
+    const uint16_t other = group_in(sibling);
+    return front.tet[other] == sibling ? difference(group, other) : 0;
+  }
+  /// Two groups whose mean is the rotation of a tet: its own or one above it, twice, or those of its halves.
+  /// `known` is false where the front is deeper.
+  struct Halves {
+    uint16_t first, second;
+    bool known;
+  };
+
+  [[nodiscard]] Halves halves_of(uint16_t tet) const {
+    const uint16_t group = group_in(tet);
+    if (forest.tet[front.tet[group]].level <= forest.tet[tet].level) return {group, group, true};
+    if (front.tet[group] != forest.child(tet, 0)) return {group, group, false};
+    // Of a pair about to be joined the first holds their parent's rotation already.
+    if (front.partner[group] != kNone) return {group, group, true};
+    const uint16_t other = group_in(forest.child(tet, 1));
+    return {group, other, front.tet[other] == forest.child(tet, 1)};
+  }
+  /// |R_a - R_b|_F^2, for a tet with two groups of the mean of their matrices; 0 where it is not known.
+  [[nodiscard]] uint32_t apart(uint16_t tet_a, uint16_t tet_b) const {
+    const Halves a = halves_of(tet_a);
+    const Halves b = halves_of(tet_b);
+    if (!a.known || !b.known) return 0;
+    if (a.first == a.second && b.first == b.second) return difference(a.first, b.first);
+    // Of two means, squared: a quarter of the four distances less a quarter of the two within.
+    const uint32_t across = difference(a.first, b.first) / 4 + difference(a.first, b.second) / 4 +
+                            difference(a.second, b.first) / 4 + difference(a.second, b.second) / 4;
+    const uint32_t within = difference(a.first, a.second) / 4 + difference(b.first, b.second) / 4;
+    return across > within ? across - within : 0;
+  }
+  /// Full corotation: whether the halves of a tet are leaves that are about to be merged. Only these share a
+  /// rotation, so that the mesh can rise above them.
+  [[nodiscard]] bool may_share(uint16_t tet) const {
+    bool may = true;
+    for (const uint32_t which : bounded<2>(2, [] {})) {
+      const uint16_t child = forest.child(tet, which);
+      may = may && forest.tet[child].is_leaf && urgencies.of[child] == Urgencies<Profile>::kCalm;
+    }
+    return may;
+  }
   /// A group of a tet: the tet's own, one above it, or one of those below.
   [[nodiscard]] uint16_t group_in(uint16_t tet) const {
     return forest.leaf_of(first_leaf(forest, tet)).group;
@@ -78,7 +128,7 @@ template <class Profile>
 void change_fronts(State<Profile>& state) {
   bool changed = false;
   const RemeshRules& rules = state.model.remesh;
-  GroupRotations<Profile> rotations{state.groups, state.front, state.forest, rules.rotation};
+  GroupRotations<Profile> rotations{state.groups, state.front, state.forest, state.urgencies, rules.rotation};
   RotationChanges<Profile, GroupRotations<Profile>> rotation_changes(state.forest, state.front,
                                                                      rules.rotation, rotations, state.remesh);
   state.waiting = rotation_changes.run(changed);
