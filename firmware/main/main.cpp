@@ -20,7 +20,8 @@ namespace {
   port::exit_program(status);
 }
 
-void run_script(Run& run) {
+/// False when something that must always hold does not.
+[[nodiscard]] bool run_script(Run& run) {
   run.ticks_to_hash = kHashEvery;
   print_stage_names();
   port::start_ticks(kTickPeriodUs);
@@ -28,7 +29,12 @@ void run_script(Run& run) {
     port::wait_for_tick();
     if (!run.held) continue;
     print_hash_row(run);
-    if (run.ticks == kScenarioImage.row_count) return;
+    const Integrity integrity = check_integrity(run.state);
+    if (!integrity.is_whole()) {
+      print_broken(run.ticks, integrity);
+      return false;
+    }
+    if (run.ticks == kScenarioImage.row_count) return true;
     run.held = false;
     port::resume_ticks();
   }
@@ -45,9 +51,10 @@ void run_script(Run& run) {
     print("\n");
     finish(1);
   }
-  run_script(run);
+  const bool whole = run_script(run);
+  print_pools(run);
   print_summary(run);
-  finish(0);
+  finish(whole ? 0 : 1);
 }
 
 }  // namespace

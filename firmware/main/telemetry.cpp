@@ -92,6 +92,32 @@ void print_hash_row(const Run& run) {
   print("\n");
 }
 
+void print_broken(uint32_t tick, const Integrity& integrity) {
+  print("broken");
+  const uint32_t figures[] = {tick, static_cast<uint32_t>(integrity.mesh),
+                              static_cast<uint32_t>(integrity.front), integrity.tethers_hold ? 1u : 0u};
+  for (const uint32_t figure : figures) {
+    print(",");
+    print_decimal(figure);
+  }
+  print("\n");
+}
+
+void print_pools(const Run& run) {
+  for (uint32_t i = 0; i < kPoolCount; ++i) {
+    const auto pool = static_cast<Pool>(i);
+    const PoolUse use = pool_use(run.state, pool);
+    print("pool,");
+    print(pool_name(pool));
+    const uint32_t figures[] = {use.peak, use.capacity, use.refused};
+    for (const uint32_t figure : figures) {
+      print(",");
+      print_decimal(figure);
+    }
+    print("\n");
+  }
+}
+
 void print_summary(const Run& run) {
   summarize("profile", Profile::kName);
   summarize("scenario", kScenarioImage.name);
@@ -101,6 +127,7 @@ void print_summary(const Run& run) {
   // What follows is the square, in (2^-27 N)^2: the root is the reader's.
   summarize_hex("peak_force_square", run.state.peak_force_square);
   summarize_hex("state_hash", state_hash(run.state));
+  summarize("flags_seen", run.state.flags_seen);
   summarize("fault", static_cast<uint32_t>(run.state.fault));
   summarize("overruns", run.overruns);
   summarize("state_bytes", static_cast<uint32_t>(sizeof(run)));

@@ -1,6 +1,7 @@
 # cmake -DGOLDEN=<csv> [-DTICKS=<n>] [-DMAY_UPDATE=ON] -P compare_hashes.cmake -- <command...>
 # Holds the hash rows that the command prints against the golden ones, all or the first TICKS ticks, and names the
-# first tick and the first stage that differ. It reads the rows of palpate_hash_run and of a firmware's console.
+# first tick and the first stage that differ. It reads the rows of palpate_hash_run and of a firmware's console. After
+# all ticks the peaks of the pools must be the golden ones too.
 #
 # A golden file changes only when the simulation is meant to change, and then CHANGELOG.md gets a line that says so:
 #   PALPATE_UPDATE_GOLDEN=1 ctest --preset host -R '^determinism\.golden'
@@ -29,7 +30,7 @@ foreach(line IN LISTS lines)
     list(APPEND rows "tick,${CMAKE_MATCH_1},state")
   elseif(line MATCHES "^hash,(.+)$")
     list(APPEND rows "${CMAKE_MATCH_1}")
-  elseif(line MATCHES "^(tick|[0-9]+),")
+  elseif(line MATCHES "^(tick|pool|[0-9]+),")
     list(APPEND rows "${line}")
   endif()
 endforeach()
@@ -70,6 +71,9 @@ foreach(row golden IN ZIP_LISTS rows golden_rows)
   endif()
   string(REPLACE "," ";" hashes "${row}")
   string(REPLACE "," ";" golden_hashes "${golden}")
+  if(golden MATCHES "^pool," AND NOT row STREQUAL golden)
+    message(FATAL_ERROR "name, peak, capacity, refused: ${row}, but the golden file has ${golden}")
+  endif()
   list(GET golden_hashes 0 tick)
   foreach(hash golden_hash stage IN ZIP_LISTS hashes golden_hashes stages)
     if(NOT "x${hash}" STREQUAL "x${golden_hash}")

@@ -1,78 +1,26 @@
 // The scenario whose hashes are golden: a PHANToM takes a node near the bar's free end, drags it about, lets
-// go, takes it again and jumps, so that the clamps of speed and strain have work.
-//
-// It is written down as integers and does not come from the model compiler, because golden hashes must not
-// depend on a host's doubles: a last bit of another libm would look like a change of the simulation. For the
-// same reason the script is made here from a few poses, by the compiler and in integers.
-#include "golden_scenario_image.hpp"
+// go, takes it again and jumps, so that the clamps of speed and strain have work. The script is made here
+// from a few poses, by the compiler and in integers.
+#include "golden_body.hpp"
 
-#include "palpate/remesh/stretch.hpp"
-
-namespace palpate::firmware {
+namespace palpate {
+namespace golden {
 namespace {
 
-constexpr golden::Discretization kMesh = golden::kDiscretization<golden::Profile>;
+template <class>
+inline constexpr Discretization kMesh = {4, 3, 6, 4, 20, Q<0, 31>::ratio(75, 128),
+                                         20};  // 288 leaves at start
+template <>
+inline constexpr Discretization kMesh<Small> = {3, 2, 4, 2, 20, Q<0, 31>::ratio(75, 128), 22};  // 144 leaves
 
-/// mu = E / (2 (1 + nu)) and lambda = E nu / ((1 + nu) (1 - 2 nu)) with nu = 0.49, for a region of E_ref /
-/// softness.
-constexpr Material make_material(int64_t softness) {
-  constexpr int64_t kOnePlusNu = 149;
-  constexpr int64_t kOneMinusTwoNu = 2;
-  constexpr int64_t kNu = 49;
-  return Material{ShearCoefficient::ratio(100, 12 * kOnePlusNu * softness),
-                  BulkCoefficient::ratio(kNu * 100, 6 * kOnePlusNu * kOneMinusTwoNu * softness)};
-}
+}  // namespace
 
-constexpr Dynamics make_dynamics() {
-  constexpr int64_t kSubsteps = kMesh.substeps;
-  Dynamics dynamics{};
-  dynamics.substeps = kMesh.substeps;
-  dynamics.mass_damping = Q<-5, 36>::ratio(2, 1000 * kSubsteps);       // 2 / s
-  dynamics.stiffness_damping = Q<0, 31>::ratio(50 * kSubsteps, 1000);  // 50 us
-  dynamics.impulse_mantissa = Q<0, 31>::ratio(75, 128);                // dt^2 E edge / (kg a mass unit)
-  dynamics.impulse_exponent = kMesh.impulse_exponent;
-  return dynamics;
-}
+const Discretization kDiscretization = kMesh<Profile>;
 
-/// With both fronts on the move.
-constexpr RemeshRules make_rules() {
-  RemeshRules rules{};
-  rules.rotation.criterion = RotationCriterion::kMisfit;
-  rules.rotation.start_level = 0;
-  rules.rotation.split_above = 2943556;  // 2 (1 - cos 1.5 deg) 2^32
-  rules.rotation.join_below = 2126753;   // 2 (1 - cos 1.275 deg) 2^32
-  rules.stretch.criterion = StretchCriterion::kSixEdges;
-  rules.stretch.split_above = StretchMeasure::ratio(1236, 10000);  // 1.06^2 - 1
-  rules.stretch.merge_below = StretchMeasure::ratio(609, 10000);   // 1.03^2 - 1
-  for (LevelRange& levels : rules.stretch.levels) levels = LevelRange{kMesh.least_level, kMesh.most_level};
-  return rules;
-}
+}  // namespace golden
 
-constexpr Model make_body() {
-  Model body{};
-  body.block = Block{{1, 1, 3}, {0, 0, 1}};
-  body.level = kMesh.level;
-  for (uint32_t i = 0; i < kRegions; ++i) {
-    body.materials[i] = make_material(i == 1 ? 2 : 1);
-    body.region_density[i] = i == 1 ? kDensityOne / 2 : kDensityOne;
-  }
-  body.dynamics = make_dynamics();
-  body.remesh = make_rules();
-  body.held[0] = LatticeBox{body.block.corner(0, 0, 0), body.block.corner(1, 1, 0)};
-  body.held[1] = LatticeBox{{1, 1, 1}, {0, 0, 0}};
-  body.grasp_reach = Position::ratio(1, 2);
-  return body;
-}
-
-/// At zero counts the tool, at (0.215, 0, -0.170) m, is beside the node at (0.5, 0, 1) edges.
-constexpr Scene make_scene() {
-  Scene scene{};
-  scene.edges_per_metre = EdgesPerMetre::ratio(1000, 64);
-  scene.device_origin = {Position::ratio(-1820, 640), Position::ratio(0, 1), Position::ratio(2350, 640)};
-  scene.newton_mantissa = Q<0, 31>::ratio(512, 1000);  // E edge^2 = 2.048 N = 0.512 2^2 N
-  scene.newton_exponent = 2;
-  return scene;
-}
+namespace firmware {
+namespace {
 
 struct Pose {
   uint32_t tick;
@@ -124,6 +72,11 @@ constexpr std::array<ScriptRow, kTicks> kRows = make_rows();
 
 }  // namespace
 
-const ScenarioImage kScenarioImage = {"golden", {make_body(), make_scene()}, kRows.data(), kTicks};
+const ScenarioImage kScenarioImage = {
+    "golden",
+    {golden::make_body(golden::kMesh<golden::Profile>), golden::make_scene()},
+    kRows.data(),
+    kTicks};
 
-}  // namespace palpate::firmware
+}  // namespace firmware
+}  // namespace palpate

@@ -1,4 +1,9 @@
-# palpate_hash_run(<target> <profile> [<compiler option>...]): compiles the core anew with these options.
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # The storm's script takes the compiler more steps than it allows by itself.
+  set_source_files_properties(storm_scenario_image.cpp PROPERTIES COMPILE_OPTIONS -fconstexpr-steps=100000000)
+endif()
+
+# palpate_hash_run(<target> <run> [<compiler option>...]): compiles the core anew with these options.
 set(parts palpate_core_numeric palpate_core_elastic palpate_hal_phantom)
 set(core_sources)
 foreach(part IN LISTS parts)
@@ -7,7 +12,9 @@ foreach(part IN LISTS parts)
 endforeach()
 set(roots $<TARGET_PROPERTY:palpate_firmware_cycle,INTERFACE_INCLUDE_DIRECTORIES>)
 
-function(palpate_hash_run target profile)
+
+function(palpate_hash_run target run)
+  palpate_split_run(${run})
   add_executable(${target} hash_run.cpp ${image} ${core_sources})
   target_include_directories(${target} PRIVATE ${roots})
   target_link_libraries(${target} PRIVATE palpate_options Eigen3::Eigen)
@@ -16,8 +23,9 @@ function(palpate_hash_run target profile)
   target_link_options(${target} PRIVATE ${ARGN})
 endfunction()
 
-# palpate_golden_test(<name> <profile> <ticks, or all> <program>)
-function(palpate_golden_test name profile ticks program)
+# palpate_golden_test(<name> <run> <ticks, or all> <program>)
+function(palpate_golden_test name run ticks program)
+  palpate_split_run(${run})
   set(limit)
   set(arguments)
   if(NOT ticks STREQUAL "all")
@@ -29,8 +37,7 @@ function(palpate_golden_test name profile ticks program)
     set(may_update -DMAY_UPDATE=ON)
   endif()
   add_test(NAME determinism.${name}
-    COMMAND ${CMAKE_COMMAND} -DGOLDEN=${golden_${profile}} ${limit} ${may_update} -P ${compare} --
-      ${program} ${arguments})
+    COMMAND ${CMAKE_COMMAND} -DGOLDEN=${golden} ${limit} ${may_update} -P ${compare} -- ${program} ${arguments})
   set_tests_properties(determinism.${name} PROPERTIES TIMEOUT 300)
 endfunction()
 
@@ -39,16 +46,25 @@ set(is_full TRUE)
 if(PALPATE_CHECKED OR PALPATE_SANITIZE)
   set(is_full FALSE)
 endif()
-foreach(profile CuboidPaper Small)
-  add_executable(palpate_hash_run_${profile} hash_run.cpp ${image})
-  target_link_libraries(palpate_hash_run_${profile} PRIVATE palpate_options palpate_firmware_cycle)
-  target_compile_definitions(palpate_hash_run_${profile} PRIVATE PALPATE_PROFILE=${profile})
+foreach(run ${runs})
+  palpate_split_run(${run})
+  set(program palpate_hash_run_${scenario}_${profile})
+  add_executable(${program} hash_run.cpp ${image})
+  target_link_libraries(${program} PRIVATE palpate_options palpate_firmware_cycle)
+  target_compile_definitions(${program} PRIVATE PALPATE_PROFILE=${profile})
   if(is_full)
-    palpate_golden_test(golden.${profile} ${profile} all $<TARGET_FILE:palpate_hash_run_${profile}>)
+    palpate_golden_test(golden.${scenario}.${profile} ${run} all $<TARGET_FILE:${program}>)
   else()
-    palpate_golden_test(first_ticks.${profile} ${profile} ${first_ticks} $<TARGET_FILE:palpate_hash_run_${profile}>)
+    palpate_golden_test(first_ticks.${scenario}.${profile} ${run} ${first_ticks} $<TARGET_FILE:${program}>)
   endif()
 endforeach()
+
+# What the hand of the storm does, and 10^6 ticks of it in a soak.
+add_executable(palpate_storm_test storm_test.cpp storm_scenario_image.cpp)
+target_include_directories(palpate_storm_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/..)
+target_link_libraries(palpate_storm_test PRIVATE palpate_options palpate_firmware_cycle GTest::gtest_main)
+target_compile_definitions(palpate_storm_test PRIVATE PALPATE_PROFILE=CuboidDense)
+add_test(NAME determinism.storm COMMAND palpate_storm_test)
 
 # The comparison itself must be able to fail, and to say where.
 add_test(NAME determinism.names_what_differs
@@ -62,13 +78,18 @@ add_test(NAME determinism.refuses_a_short_run
 set_tests_properties(determinism.refuses_a_short_run PROPERTIES
   PASS_REGULAR_EXPRESSION "printed 1 rows, but must print 2")
 
-# The golden scenario's integers are those that the model compiler makes of its SI values.
+# The golden scenarios' integers are those that the model compiler makes of their SI values.
 if(PALPATE_PROGRAM)
-  foreach(profile CuboidPaper Small)
-    add_executable(palpate_golden_model_test_${profile} golden_model_test.cpp ${image})
-    target_link_libraries(palpate_golden_model_test_${profile} PRIVATE palpate_options palpate_sim_model GTest::gtest_main)
-    target_compile_definitions(palpate_golden_model_test_${profile} PRIVATE PALPATE_PROFILE=${profile})
-    add_test(NAME determinism.golden_model.${profile} COMMAND palpate_golden_model_test_${profile})
+  foreach(run ${runs})
+    palpate_split_run(${run})
+    set(program palpate_golden_model_test_${scenario}_${profile})
+    add_executable(${program} golden_model_test.cpp ${image})
+    target_link_libraries(${program} PRIVATE palpate_options palpate_sim_model GTest::gtest_main)
+    target_compile_definitions(${program} PRIVATE PALPATE_PROFILE=${profile})
+    if(scenario STREQUAL "golden")
+      target_sources(${program} PRIVATE golden_script_test.cpp)
+    endif()
+    add_test(NAME determinism.golden_model.${scenario}.${profile} COMMAND ${program})
   endforeach()
 endif()
 
@@ -76,11 +97,14 @@ endif()
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR NOT is_full)
   return()
 endif()
-palpate_hash_run(palpate_hash_run_O0 CuboidPaper -O0)
-palpate_golden_test(O0 CuboidPaper ${first_ticks} $<TARGET_FILE:palpate_hash_run_O0>)
+palpate_hash_run(palpate_hash_run_O0 golden:CuboidPaper -O0)
+palpate_golden_test(O0 golden:CuboidPaper ${first_ticks} $<TARGET_FILE:palpate_hash_run_O0>)
 set_tests_properties(determinism.O0 PROPERTIES COST 60 LABELS slow)
-palpate_hash_run(palpate_hash_run_O3 CuboidPaper -O3)
-palpate_golden_test(O3 CuboidPaper all $<TARGET_FILE:palpate_hash_run_O3>)
+foreach(run golden:CuboidPaper storm:CuboidDense)
+  palpate_split_run(${run})
+  palpate_hash_run(palpate_hash_run_${scenario}_O3 ${run} -O3)
+  palpate_golden_test(${scenario}_O3 ${run} all $<TARGET_FILE:palpate_hash_run_${scenario}_O3>)
+endforeach()
 
 # palpate_skipped_test(<name> <reason>): shows in the list of tests as skipped.
 function(palpate_skipped_test name reason)
@@ -93,8 +117,11 @@ set(CMAKE_REQUIRED_FLAGS -m32)
 check_cxx_source_compiles("#include <array>\nint main() { return 0; }" PALPATE_COMPILES_FOR_32_BITS)
 unset(CMAKE_REQUIRED_FLAGS)
 if(PALPATE_COMPILES_FOR_32_BITS)
-  palpate_hash_run(palpate_hash_run_32_bits CuboidPaper -m32)
-  palpate_golden_test(32_bits CuboidPaper all $<TARGET_FILE:palpate_hash_run_32_bits>)
+  foreach(run golden:CuboidPaper storm:CuboidDense)
+    palpate_split_run(${run})
+    palpate_hash_run(palpate_hash_run_${scenario}_32_bits ${run} -m32)
+    palpate_golden_test(${scenario}_32_bits ${run} all $<TARGET_FILE:palpate_hash_run_${scenario}_32_bits>)
+  endforeach()
 else()
   palpate_skipped_test(32_bits "g++ -m32 does not work here; Debian has it in g++-multilib")
 endif()
@@ -103,15 +130,22 @@ find_program(PALPATE_CLANG clang++)
 if(PALPATE_CLANG)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*.hpp ${PROJECT_SOURCE_DIR}/hal/*.hpp
     ${PROJECT_SOURCE_DIR}/firmware/cycle/*.hpp)
-  set(clang_run ${CMAKE_CURRENT_BINARY_DIR}/palpate_hash_run_clang)
-  add_custom_command(OUTPUT ${clang_run}
-    COMMAND ${PALPATE_CLANG} -std=c++17 -O2 -DPALPATE_PROFILE=CuboidPaper "-isystem$<JOIN:${roots},;-isystem>"
-      ${CMAKE_CURRENT_SOURCE_DIR}/hash_run.cpp ${image} ${core_sources} -o ${clang_run}
-    DEPENDS hash_run.cpp ${image} golden_scenario_image.hpp ${core_sources} ${headers}
-    COMMENT "Compiling palpate_hash_run with clang++"
-    COMMAND_EXPAND_LISTS VERBATIM)
-  add_custom_target(palpate_hash_run_with_clang ALL DEPENDS ${clang_run})
-  palpate_golden_test(clang_O2 CuboidPaper all ${clang_run})
+  set(clang_runs)
+  foreach(run golden:CuboidPaper storm:CuboidDense)
+    palpate_split_run(${run})
+    set(clang_run ${CMAKE_CURRENT_BINARY_DIR}/palpate_hash_run_${scenario}_clang)
+    # The storm's script takes the compiler more steps than it allows by itself.
+    add_custom_command(OUTPUT ${clang_run}
+      COMMAND ${PALPATE_CLANG} -std=c++17 -O2 -fconstexpr-steps=100000000 -DPALPATE_PROFILE=${profile}
+        "-isystem$<JOIN:${roots},;-isystem>" ${CMAKE_CURRENT_SOURCE_DIR}/hash_run.cpp ${image} ${core_sources}
+        -o ${clang_run}
+      DEPENDS hash_run.cpp ${image} golden_body.hpp storm.hpp ${core_sources} ${headers}
+      COMMENT "Compiling palpate_hash_run for ${scenario} with clang++"
+      COMMAND_EXPAND_LISTS VERBATIM)
+    list(APPEND clang_runs ${clang_run})
+    palpate_golden_test(${scenario}_clang_O2 ${run} all ${clang_run})
+  endforeach()
+  add_custom_target(palpate_hash_run_with_clang ALL DEPENDS ${clang_runs})
 else()
   palpate_skipped_test(clang_O2 "clang++ is not installed")
 endif()

@@ -39,8 +39,10 @@ struct CycleState {
   TickOutput output;               // of the last tick
   Vector3<phantom::Newton> force;  // on the handle
   std::array<uint16_t, 3> motor_codes;
-  StateHash code_history;      // of the motor codes of every cycle so far
-  uint64_t peak_force_square;  // of any cycle, in (2^-27 N)^2
+  StateHash code_history;       // of the motor codes of every cycle so far
+  uint64_t peak_force_square;   // of any cycle, in (2^-27 N)^2
+  uint32_t flags_seen;          // TickFlag bits of all cycles so far
+  uint32_t tethers_full_ticks;  // cycles in which a change of the mesh waited for a tether
   Fault fault;
 };
 
@@ -81,6 +83,8 @@ template <class Profile>
   state.motor_codes = {kZeroCode, kZeroCode, kZeroCode};
   state.code_history = StateHash();
   state.peak_force_square = 0;
+  state.flags_seen = 0;
+  state.tethers_full_ticks = 0;
   const Status status = palpate::start(state.core, model.body);
   state.fault = status == Status::kDone ? Fault::kNone : Fault::kModelRefused;
   return status;
@@ -100,6 +104,8 @@ void cycle(CycleState<Profile>& state, const Sensors& sensors, Actuators& actuat
   probe.leave(Stage::kKinematics);
   CoreProbe<Probe> core_probe{probe};
   tick(state.core, state.input, state.output, core_probe);
+  state.flags_seen |= state.output.flags;
+  if ((state.output.flags & static_cast<uint32_t>(TickFlag::kTethersFull)) != 0) ++state.tethers_full_ticks;
   probe.enter(Stage::kMotorCodes);
   cycle_stages::motor_codes(state);
   probe.leave(Stage::kMotorCodes);
