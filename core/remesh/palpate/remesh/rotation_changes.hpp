@@ -6,7 +6,10 @@
 //
 // `Rotations` is what elasticity knows and does; a struct with
 //   uint32_t split_measure(group)             how much is wrong with the group as it is; larger is worse
-//   uint32_t join_measure(group, partner)     how much would be wrong with the two as one
+//   uint32_t join_measure(group, partner)     how much would be wrong with the two as one: the misfit of
+//                                             both under one rotation; of siblings how far they, or their
+//                                             parent and its sibling, are apart; full corotation: 0 for two
+//                                             leaves about to be merged, else 1
 //   bool is_blending(group), bool changed_now(group)
 //   void blend(group)                         both measures sleep for some ticks
 //   void inherit(group, added)                after a split
