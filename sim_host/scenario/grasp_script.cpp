@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "scenario/smooth_step.hpp"
+#include "plant/premium.hpp"
+#include "plant/smooth_step.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -39,8 +40,9 @@ std::array<double, 3> corner_m(const Scenario& scenario) {
 }
 
 firmware::ScriptRow row_at(const ToolPoint& point, std::size_t tick) {
-  const auto angles = inverse_kinematics(point.position_m);
-  const double margin_deg = angles ? margin_to_limits_deg(*angles) : 0.0;
+  const auto angles = plant::premium::inverse_kinematics(Eigen::Vector3d(point.position_m.data()));
+  const double margin_deg =
+      angles ? plant::degrees(plant::margin_to_limits(plant::premium::kLimits, *angles)) : 0.0;
   if (!angles || margin_deg < kLimitMarginDeg) {
     const auto& p = point.position_m;
     throw BadInput(fmt::format(
@@ -50,10 +52,10 @@ firmware::ScriptRow row_at(const ToolPoint& point, std::size_t tick) {
         angles ? fmt::format("{:.1f} degrees from a joint's limit ({:g} needed)", margin_deg, kLimitMarginDeg)
                : "out of the arm's reach"));
   }
-  const auto counts = encoder_counts(*angles);
+  const auto counts = plant::encoder_counts(plant::premium::kEncoders, *angles);
   firmware::ScriptRow row{};
   for (std::size_t joint = 0; joint < 3; ++joint) {
-    row.encoder_counts[joint] = static_cast<int16_t>(std::lround(counts[joint]));
+    row.encoder_counts[joint] = static_cast<int16_t>(std::lround(counts[static_cast<Eigen::Index>(joint)]));
   }
   row.buttons = point.grasp_button ? firmware::ScriptRow::kGraspButton : uint16_t{0};
   return row;
@@ -69,7 +71,7 @@ std::vector<ToolPoint> grasp_path(const Scenario& scenario) {
   double dragged = 0.0;
   for (const Phase& phase : kPhases) {
     for (int tick = 0; tick < phase.ticks; ++tick) {
-      const double part = smooth_step(static_cast<double>(tick) / phase.ticks);
+      const double part = plant::smooth_step(static_cast<double>(tick) / phase.ticks);
       const double away_now = away + part * (phase.away - away);
       ToolPoint point{corner, phase.grasp_button};
       for (std::size_t axis = 0; axis < 3; ++axis) point.position_m[axis] += away_now * kApproachFromM[axis];

@@ -2,7 +2,7 @@
 // sideways, brings it back, lets go and leaves. Written as encoder counts, a row a tick.
 #pragma once
 
-#include "scenario/premium_arm.hpp"
+#include "palpate/firmware/scenario_image.hpp"
 #include "scenario/scenario.hpp"
 
 namespace palpate::sim {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenario/smooth_step.hpp"
+#include "plant/smooth_step.hpp"
 #include "units.hpp"
 
 namespace palpate::sim {
@@ -27,8 +27,8 @@ RigidMotion end_motion(const Scenario& scenario, double part) {
   const auto along = std::max_element(cubes.begin(), cubes.end()) - cubes.begin();
   const auto aside = (along + 2) % 3;
   const double length = cubes[static_cast<std::size_t>(along)];  // in cube edges
-  const double angle = scenario.bend.angle_deg * kRadians * smooth_step(part);
-  const double twist = scenario.bend.twist_deg * kRadians * smooth_step(part);
+  const double angle = scenario.bend.angle_deg * kRadians * plant::smooth_step(part);
+  const double twist = scenario.bend.twist_deg * kRadians * plant::smooth_step(part);
   const Eigen::Matrix3d bend = turned(along, aside, angle);
   const Eigen::Matrix3d rotation = bend * turned((along + 1) % 3, aside, twist);
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "palpate/phantom/premium.hpp"
+#include "plant/premium.hpp"
 #include "units.hpp"
 
 namespace palpate::sim {
@@ -22,19 +22,25 @@ double distance_mm(const std::array<double, 3>& a, const std::array<double, 3>& 
   return 1e3 * std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+std::optional<Eigen::Vector3d> angles_at(const ToolPoint& point) {
+  return plant::premium::inverse_kinematics(Eigen::Vector3d(point.position_m.data()));
+}
+
 TEST(GraspScript, StaysInsideTheJointLimits) {
   double least_deg = 360.0;
   for (const ToolPoint& point : grasp_path(grasp())) {
-    const auto angles = inverse_kinematics(point.position_m);
+    const auto angles = angles_at(point);
     ASSERT_TRUE(angles.has_value());
-    least_deg = std::min(least_deg, margin_to_limits_deg(*angles));
+    const double margin = plant::margin_to_limits(plant::premium::kLimits, *angles);
+    least_deg = std::min(least_deg, plant::degrees(margin));
   }
   EXPECT_GT(least_deg, kLimitMarginDeg);
 }
 
 TEST(GraspScript, InverseKinematicsIsTheInverse) {
   for (const ToolPoint& point : grasp_path(grasp())) {
-    EXPECT_LT(distance_mm(forward_kinematics(*inverse_kinematics(point.position_m)), point.position_m), 1e-9);
+    const Eigen::Vector3d again = plant::premium::tool_position(*angles_at(point));
+    EXPECT_LT(distance_mm({again[0], again[1], again[2]}, point.position_m), 1e-9);
   }
 }
 
@@ -43,9 +49,10 @@ TEST(GraspScript, RoundingIsWithinACount) {
   const auto rows = grasp_script(grasp());
   ASSERT_EQ(path.size(), rows.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const auto counts = encoder_counts(*inverse_kinematics(path[i].position_m));
+    const Eigen::Vector3d counts = plant::encoder_counts(plant::premium::kEncoders, *angles_at(path[i]));
     for (std::size_t joint = 0; joint < 3; ++joint) {
-      EXPECT_LT(std::abs(counts[joint] - rows[i].encoder_counts[joint]), 0.5 + 1e-9);
+      const double exact = counts[static_cast<Eigen::Index>(joint)];
+      EXPECT_LT(std::abs(exact - rows[i].encoder_counts[joint]), 0.5 + 1e-9);
     }
   }
 }
