@@ -49,26 +49,29 @@ std::vector<Load> loads_with(const std::array<std::vector<Choice>, 3>& choices) 
            choices[2]}};
 }
 
-/// Thresholds that end with a few hundred to most of the tets of the uniform mesh.
+/// Thresholds that lead from meshes that are hardly refined to most of the tets of the uniform mesh, so that
+/// the curves of all criteria share a wide range. Some neighbours are far apart all the same: in the bend to
+/// level 9 longest-edge splits nothing at 0.033 and ends with 5900 tets at 0.03.
 std::vector<Depth> depths() {
-  const std::vector<Load> to_6 = loads_with({{{{"six-edges", {"0.05", "0.1", "0.15", "0.2"}},
-                                               {"longest-edge", {"0.004", "0.005", "0.006", "0.008"}},
-                                               {"strain-jump", {"0.1", "0.15", "0.2", "0.3"}}},
-                                              {{"six-edges", {"0.02", "0.03", "0.04", "0.05"}},
-                                               {"longest-edge", {"0.003", "0.005", "0.007", "0.01"}},
-                                               {"strain-jump", {"0.02", "0.03", "0.04", "0.05"}}},
-                                              {{"six-edges", {"0.03", "0.04", "0.05", "0.1"}},
-                                               {"longest-edge", {"0.005", "0.01", "0.02", "0.05"}},
-                                               {"strain-jump", {"0.03", "0.04", "0.05", "0.1"}}}}});
-  const std::vector<Load> to_9 = loads_with({{{{"six-edges", {"0.15", "0.2", "0.25"}},
-                                               {"longest-edge", {"0.025", "0.03", "0.04"}},
-                                               {"strain-jump", {"0.2", "0.25", "0.3"}}},
-                                              {{"six-edges", {"0.05", "0.07", "0.1"}},
-                                               {"longest-edge", {"0.02", "0.025", "0.03"}},
-                                               {"strain-jump", {"0.05", "0.07", "0.1"}}},
-                                              {{"six-edges", {"0.03", "0.05", "0.1"}},
-                                               {"longest-edge", {"0.02", "0.025", "0.03"}},
-                                               {"strain-jump", {"0.04", "0.07", "0.1"}}}}});
+  const std::vector<Load> to_6 =
+      loads_with({{{{"six-edges", {"0.3", "0.2", "0.15", "0.13", "0.1", "0.07"}},
+                    {"longest-edge", {"0.008", "0.006", "0.005", "0.002"}},
+                    {"strain-jump", {"0.4", "0.3", "0.2", "0.15", "0.1"}}},
+                   {{"six-edges", {"0.1", "0.07", "0.05", "0.03", "0.02", "0.015"}},
+                    {"longest-edge", {"0.015", "0.01", "0.005", "0.002", "0.001"}},
+                    {"strain-jump", {"0.1", "0.07", "0.05", "0.03", "0.02", "0.015"}}},
+                   {{"six-edges", {"0.1", "0.07", "0.05", "0.04", "0.03"}},
+                    {"longest-edge", {"0.03", "0.02", "0.01", "0.005", "0.001"}},
+                    {"strain-jump", {"0.15", "0.1", "0.05", "0.035", "0.03"}}}}});
+  const std::vector<Load> to_9 = loads_with({{{{"six-edges", {"0.3", "0.25", "0.2", "0.16", "0.1"}},
+                                               {"longest-edge", {"0.04", "0.03", "0.008"}},
+                                               {"strain-jump", {"0.4", "0.3", "0.25", "0.2", "0.1"}}},
+                                              {{"six-edges", {"0.14", "0.1", "0.07", "0.05", "0.03"}},
+                                               {"longest-edge", {"0.03", "0.025", "0.02", "0.012"}},
+                                               {"strain-jump", {"0.1", "0.07", "0.05", "0.03", "0.02"}}},
+                                              {{"six-edges", {"0.1", "0.05", "0.035", "0.03"}},
+                                               {"longest-edge", {"0.03", "0.025", "0.02", "0.008"}},
+                                               {"strain-jump", {"0.1", "0.07", "0.04", "0.03", "0.02"}}}}});
   const Parameters common = {{"profile", "workstation"}, {"theta", kPaperRowTheta}};
   // Level 9 needs the density of tissue to be stable, and moves ten times slower for it.
   const Parameters light = joined(common, {{"ticks", "5000"}});
@@ -98,12 +101,12 @@ std::vector<RestSolution> solve_uniform(const Load& load, const Depth& depth) {
 }
 
 StudyCurve uniform_curve(const std::vector<RestSolution>& solutions) {
-  StudyCurve curve{"uniform mesh", {}};
+  StudyCurve curve{kUniformMesh, {}};
   const RestSolution& finest = solutions.front();
   for (std::size_t i = solutions.size(); i-- > 1;) {
     const auto tets = static_cast<uint32_t>(solutions[i].body.tets.size());
     curve.points.push_back({0.0, static_cast<double>(tets), tets,
-                            error_of(solutions[i].body, finest.body, finest.is_free), 0.0, ""});
+                            error_of(solutions[i].body, finest.body, finest.is_free), 0.0, 0.0, ""});
   }
   return curve;
 }
@@ -136,6 +139,7 @@ StudyPoint run_point(const Experiment& experiment, const Planned& planned, const
           trace.tets.back(),
           error_of(rest.body, finest.body, finest.is_free),
           error_of(trace.last, rest.body, rest.is_free).mean_mm,
+          trace.remesh_ns(),
           command_of(planned.request)};
 }
 
@@ -189,12 +193,12 @@ double error_at(const StudyCurve& curve, double tets) {
     const StudyPoint& a = points[i - 1];
     const StudyPoint& b = points[i];
     if (tets >= b.mean_tets || b.mean_tets <= a.mean_tets) continue;
-    if (b.mean_tets > kWidestGap * a.mean_tets) return a.error.mean_mm;
+    if (b.mean_tets > kWidestGap * a.mean_tets) return std::max(a.error.mean_mm, kLeastMm);
     const double part = std::log(tets / a.mean_tets) / std::log(b.mean_tets / a.mean_tets);
     return std::exp((1.0 - part) * std::log(std::max(a.error.mean_mm, kLeastMm)) +
                     part * std::log(std::max(b.error.mean_mm, kLeastMm)));
   }
-  return points.back().error.mean_mm;
+  return std::max(points.back().error.mean_mm, kLeastMm);
 }
 
 }  // namespace palpate::sim

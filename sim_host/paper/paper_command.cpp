@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "output/gnuplot.hpp"
+#include "paper/criterion_ranking.hpp"
 #include "paper/parallel.hpp"
 #include "paper/sections.hpp"
 #include "paper/table1_output.hpp"

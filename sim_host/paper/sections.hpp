@@ -13,10 +13,9 @@ void add_fig7_sections(const PaperRuns& runs, const Experiment& experiment, Repo
 /// How smooth the force is while the fronts move, and what is required of it.
 void add_smoothness_section(const PaperRuns& runs, const Experiment& experiment, ReportPage& page);
 void require_smoothness(const PaperRuns& runs, Requirements& requirements);
-/// Which criterion should refine the mesh, and the one sentence that says so.
+/// Which criterion should refine the mesh.
 void add_criterion_section(const std::vector<LoadStudy>& studies, const Experiment& experiment,
                            ReportPage& page);
-std::string conclusion_of(const std::vector<LoadStudy>& studies);
 /// The time that re-meshing takes, and both fronts over time.
 void add_remesh_section(const PaperRuns& runs, const Experiment& experiment, ReportPage& page);
 /// What else is in the folder.

@@ -103,6 +103,12 @@ double Trace::mean_tets() const {
          static_cast<double>(std::max<std::size_t>(1, tets.size()));
 }
 
+double Trace::remesh_ns() const {
+  constexpr double kNsOfMs = 1e6;
+  const double all_ms = std::accumulate(remesh_ms.begin(), remesh_ms.end(), 0.0);
+  return kNsOfMs * all_ms / std::max(1.0, std::accumulate(tets.begin(), tets.end(), 0.0));
+}
+
 Trace trace_run(const RunRequest& request, const std::filesystem::path& folder) {
   Scenario scenario = scenario_of(request);
   scenario.out = (folder / request.name).string();

@@ -36,6 +36,8 @@ struct Trace {
 
   [[nodiscard]] double peak_n() const;
   [[nodiscard]] double mean_tets() const;
+  /// In the re-mesh stage, a tick and tet.
+  [[nodiscard]] double remesh_ns() const;
 };
 
 /// Runs it into `folder`/name, with a line on standard output when it is done.

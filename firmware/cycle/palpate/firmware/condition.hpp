@@ -69,10 +69,9 @@ template <class Profile>
   bool hold = state.tethers.count <= Profile::kTethers;
   for (const uint32_t i : bounded<Profile::kTethers>(state.tethers.count, [] {})) {
     const Tether& tether = state.tethers.tether[i];
-    hold = hold && state.forest.nodes.is_live(tether.node) && state.tethers.find(tether.node) == i;
+    hold = hold && state.forest.nodes.is_live(tether.node) && state.tethers.holds(tether.node);
     for (const uint32_t j : bounded<2>(2, [] {})) {
-      hold = hold && state.forest.nodes.is_live(tether.end[j]) &&
-             state.tethers.find(tether.end[j]) == Tethers<Profile>::kNobody;
+      hold = hold && state.forest.nodes.is_live(tether.end[j]) && !state.tethers.holds(tether.end[j]);
     }
   }
   return hold;
