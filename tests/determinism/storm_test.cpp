@@ -114,7 +114,7 @@ TEST(Storm, IsTheScriptOfTheImage) {
 }
 
 TEST(Storm, LeavesTheBarWhole) {
-  const auto ticks = test::in_soak(1000000u, 2500u);
+  const auto ticks = test::in_soak(1000000u, 1500u);
   Storm storm;
   for (uint32_t i = 1; i <= ticks; ++i) {
     ASSERT_NO_FATAL_FAILURE(storm.tick());
