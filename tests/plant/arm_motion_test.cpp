@@ -122,6 +122,23 @@ TEST(ArmMotion, AMassAtTheTipIsFeltThere) {
   EXPECT_NEAR(arm.tip_force({}, kNoTorque, load)[2], arm_mass * acceleration[2], 1e-6);
 }
 
+TEST(ArmMotion, ALoadsAnchorMovesWithinASubstep) {
+  const ArmDynamics arm{test::frictionless_arm_without_stops()};
+  TipLoad load;
+  load.anchor = premium::tool_position(Eigen::Vector3d::Zero());
+  load.anchor_velocity = {0.1, 0.5, -0.3};
+  load.stiffness = 300.0;
+  constexpr int kPieces = 10;
+  const ArmState whole = arm.advance({}, kNoTorque, load, kSubstep);
+  ArmState pieces;
+  for (int i = 0; i < kPieces; ++i) {
+    pieces = arm.advance(pieces, kNoTorque, load, kSubstep / kPieces);
+    load.anchor += load.anchor_velocity * kSubstep / kPieces;
+  }
+  EXPECT_GT(whole.rates.norm(), 1e-5);
+  EXPECT_LT((whole.rates - pieces.rates).norm(), 1e-5 * whole.rates.norm());
+}
+
 TEST(ArmMotion, SlowsDownByViscousFriction) {
   // The turret alone, links where M11 does not change to first order: q1' = q1'(0) exp(-B t / M11).
   ArmParameters parameters = test::frictionless_arm_without_stops();

@@ -41,7 +41,7 @@ inline Eigen::Vector3d random_posture(Random& random, const plant::JointLimits& 
   const Eigen::Vector3d high(limits.q1.high, limits.q2.high, std::fmin(limits.q3.high, 4.0));
   for (;;) {
     const Eigen::Vector3d unit = 0.5 * (random.vector() + Eigen::Vector3d::Ones());
-    const Eigen::Vector3d q = low + unit.cwiseProduct(high - low);
+    Eigen::Vector3d q = low + unit.cwiseProduct(high - low);
     if (plant::margin_to_limits(limits, q) >= 0.0) return q;
   }
 }

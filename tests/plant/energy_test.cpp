@@ -30,6 +30,22 @@ TEST(Energy, IsKeptWithoutFriction) {
   EXPECT_LT(worst, 1e-12);
 }
 
+TEST(Energy, IsKeptWithAMassAtTheTip) {
+  const ArmDynamics arm{test::frictionless_arm_without_stops()};
+  TipLoad load;
+  load.mass = 0.1;
+  const auto energy = [&](const ArmState& state) {
+    const Eigen::Vector3d velocity = premium::jacobian(state.q) * state.rates;
+    return arm.energy(state) + 0.5 * load.mass * velocity.squaredNorm();
+  };
+  ArmState state = kThrown;
+  const double start = energy(state);
+  for (int i = 0; i < 20000; ++i) {
+    state = arm.advance(state, kNoTorque, load, kSubstep);
+    ASSERT_NEAR(energy(state), start, 1e-9 * start) << i;
+  }
+}
+
 TEST(Energy, DriftsWithTheOrderOfTheIntegrator) {
   const ArmDynamics arm{test::frictionless_arm_without_stops()};
   const double coarse = worst_drift(arm, 1.0, 8e-3);

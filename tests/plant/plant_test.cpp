@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <stdexcept>
 
 #include "arms.hpp"
@@ -142,6 +141,36 @@ TEST(Plant, FollowsAHandsStepAsTheClosedForm) {
   }
 }
 
+TEST(Plant, ArrivesWhereTheHandGoes) {
+  const Eigen::Vector3d from = premium::tool_position(Eigen::Vector3d::Zero());
+  const Eigen::Vector3d to = from + Eigen::Vector3d(-0.01, 0.03, 0.02);
+  Plant plant(weightless(), Hand(HandParameters{}, Intention::scripted({{0.1, from}, {0.6, to}})));
+  for (int tick = 1; tick <= 2000; ++tick) {
+    plant.step({kNoCurrent, kAllOn, false});
+    if (tick == 100) {
+      ASSERT_LT((plant.truth().tip - from).norm(), 1e-9);
+    }
+  }
+  EXPECT_LT((plant.truth().tip - to).norm(), 1e-6);
+  EXPECT_LT(plant.truth().hand_force.norm(), 1e-4);
+}
+
+TEST(Plant, TurnsNoFasterThanTheSupplyAllows) {
+  // An endless turret runs until what the back EMF leaves of the supply drives just the friction:
+  //   3 V = Kt eta q1' + R i,  Kt eta i = B q1'
+  PlantParameters parameters = weightless();
+  parameters.arm.stops.limits.q1 = test::kNoLimits.q1;
+  parameters.arm.friction.viscous = 0.005;
+  parameters.winding.supply_voltage = 3.0;
+  Plant plant(parameters);
+  Lines lines;
+  for (int tick = 0; tick < 5000; ++tick) plant.step(lines.drive({4095, 2048, 2048}));
+  const PlantTruth truth = plant.truth();
+  const double resistance = parameters.winding.resistance(truth.temperatures[0].winding);
+  const double expected = 3.0 / (0.0234 * 13.3 + resistance * 0.005 / (0.0234 * 13.3));
+  EXPECT_NEAR(truth.arm.rates[0], expected, 1e-3 * expected);
+}
+
 TEST(Plant, LosesItsCurrentWhenTheWatchdogStops) {
   PlantParameters parameters = weightless();
   Plant plant(parameters, hand_at(premium::tool_position(parameters.start_q)));
@@ -246,9 +275,9 @@ TEST(Plant, GivesTheSameBitsInItsTruth) {
   };
   const PlantTruth a = run();
   const PlantTruth b = run();
-  EXPECT_EQ(std::memcmp(a.arm.q.data(), b.arm.q.data(), sizeof(double) * 3), 0);
-  EXPECT_EQ(std::memcmp(a.arm.rates.data(), b.arm.rates.data(), sizeof(double) * 3), 0);
-  EXPECT_EQ(std::memcmp(a.currents.data(), b.currents.data(), sizeof(double) * 3), 0);
+  EXPECT_EQ(a.arm.q, b.arm.q);
+  EXPECT_EQ(a.arm.rates, b.arm.rates);
+  EXPECT_EQ(a.currents, b.currents);
   EXPECT_EQ(a.temperatures[0].winding, b.temperatures[0].winding);
 }
 
