@@ -127,9 +127,9 @@ TEST(RotationFront, JoiningUndoesSplitting) {
 
 /// Until the lists are made again, a new group has none: no memory of who had its place before.
 TEST(RotationFront, ANewGroupHasNoLeavesUntilItIsIndexed) {
-  MeshWithFront<Profile> mesh = mesh_with_front<Profile>(bar_block(), 3, 1);
+  MeshWithFront<FrontProfile> mesh = mesh_with_front<FrontProfile>(bar_block(), 3, 1);
   ASSERT_TRUE(join_and_index(*mesh.forest, *mesh.front, 0));
-  auto leaves = bounded_total<Profile::kLeaves>([] {});
+  auto leaves = bounded_total<FrontProfile::kLeaves>([] {});
   const uint16_t added = split_group(*mesh.forest, *mesh.front, 2, leaves);
   ASSERT_NE(added, kNone);
   EXPECT_EQ(mesh.front->leaves[added].count, 0);
