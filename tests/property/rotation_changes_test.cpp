@@ -202,12 +202,19 @@ TEST(RotationChanges, FullCorotationFollowsTheMesh) {
 TEST(RotationChanges, FullCorotationSplitsGroupsOfABodyAtRest) {
   sim::ModelParameters parameters = remeshing_bar();
   parameters.remesh.rotation = RotationCriterion::kFull;
-  parameters.level = 1;
-  parameters.regions[0].least_level = 4;
+  parameters.held = sim::HeldEnds::kBoth;
   const auto state = started<Ample>(compile_model(parameters));
-  settle(*state, input_at_rest(), 100, 3000);
-  EXPECT_EQ(state->forest.leaf_count, 18u << 4);
-  EXPECT_EQ(state->front.groups.used(), 18u << 4);
+  TickInput input = input_at_rest();
+  input.tool = fixed_vector<Position>(Eigen::Vector3d(0.5, 0.5, 0.5));
+  input.close_grasp = true;  // leaves at the grasped node go to their finest level
+  settle(*state, input, 100, 3000);
+  EXPECT_GT(state->remesh.bisected, 20u);
+  for (uint32_t i = 0; i < state->forest.leaf_count; ++i) {
+    const Leaf& leaf = state->forest.leaf[i];
+    if (leaf.level > 3) {
+      EXPECT_EQ(state->front.tet[leaf.group], leaf.tet);
+    }
+  }
 }
 
 }  // namespace
