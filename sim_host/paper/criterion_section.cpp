@@ -84,7 +84,7 @@ Table ranking_table(const std::vector<LoadStudy>& studies) {
   return table;
 }
 
-void write_csv(const std::vector<LoadStudy>& studies, const std::filesystem::path& path) {
+void write_criteria_csv(const std::vector<LoadStudy>& studies, const std::filesystem::path& path) {
   OutputFile file(path.string());
   file.print(
       "load,finest_level,criterion,threshold,mean_tets,tets_at_rest,mean_error_mm,max_error_mm,run_off_its_"
@@ -114,7 +114,7 @@ void add_criterion_section(const std::vector<LoadStudy>& studies, const Experime
         {chart_file(study), fmt::format("{}, finest level {}.", study.load, study.finest_level)});
   }
   run_gnuplot(charts, experiment.folder);
-  write_csv(studies, experiment.folder / "criteria.csv");
+  write_criteria_csv(studies, experiment.folder / "criteria.csv");
 
   page.add_section("Which criterion refines the mesh");
   page.add_paragraph(

@@ -89,7 +89,7 @@ Chart chart_of(const std::string& file, const Axis& y, const std::vector<Curve>&
   return chart;
 }
 
-void write_csv(const std::vector<Curve>& curves, const std::filesystem::path& path) {
+void write_curves_csv(const std::vector<Curve>& curves, const std::filesystem::path& path) {
   OutputFile file(path.string());
   file.print("time_s,model,force_mN,end_y_mm\n");
   for (const Curve& curve : curves) {
@@ -119,7 +119,7 @@ void add_fig7_sections(const PaperRuns& runs, const Experiment& experiment, Repo
                            {"full corotation", &runs.corner.full.farthest, false},
                            {"adaptive, on the chip", &runs.corner.on_chip.farthest, true}});
   run_gnuplot(charts, experiment.folder);
-  write_csv(curves, experiment.folder / "fig7.csv");
+  write_curves_csv(curves, experiment.folder / "fig7.csv");
 
   page.add_section("Figure 7: deformation and reaction force");
   page.add_paragraph(

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "paper/reference_body.hpp"
+#include "paper/traced_run.hpp"
 #include "reference/body.hpp"
 #include "reference/experiments.hpp"
 
@@ -13,7 +14,6 @@ using reference::Vector;
 
 constexpr double kRadians = 3.14159265358979323846 / 180.0;
 constexpr uint32_t kTwoPeriods = 10000;
-constexpr uint32_t kEndEvery = 20;
 
 reference::BodyParameters parameters_of(const Scenario& scenario, reference::ElasticModel model) {
   reference::BodyParameters parameters;

@@ -49,7 +49,7 @@ void require_table1(const Table1& table, Requirements& requirements) {
   requirements.add(
       {"Table 1: rest, and the average error at the paper's numbers of rotation tets",
        "not above the paper's in any row",
-       objections.empty() ? "below it in every row" : fmt::format("{}", fmt::join(objections, "; ")),
+       objections.empty() ? "not above it in any row" : fmt::format("{}", fmt::join(objections, "; ")),
        objections.empty()});
 }
 

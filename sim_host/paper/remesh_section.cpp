@@ -72,7 +72,7 @@ Chart fronts_chart(const std::string& file, const Trace& trace) {
           ChartSize::kHalf};
 }
 
-void write_csv(const PaperRuns& runs, const std::filesystem::path& path) {
+void write_remesh_csv(const PaperRuns& runs, const std::filesystem::path& path) {
   OutputFile file(path.string());
   file.print("run,command,mean_ms,median_ms,p99_ms,max_ms\n");
   for (const Trace* trace : moving_runs(runs)) {
@@ -94,7 +94,7 @@ void add_remesh_section(const PaperRuns& runs, const Experiment& experiment, Rep
                   chart_script(fronts_chart("fronts_indentation.svg", runs.indentation.on_chip_moving)) +
                   mesh_picture_script("meshes.svg", panels),
               experiment.folder);
-  write_csv(runs, experiment.folder / "remesh_time.csv");
+  write_remesh_csv(runs, experiment.folder / "remesh_time.csv");
 
   page.add_section("Re-meshing while it runs");
   page.add_paragraph(

@@ -110,7 +110,7 @@ Chart steps_chart(const std::string& file, const SineRuns& runs) {
   return chart;
 }
 
-void write_csv(const PaperRuns& runs, const std::filesystem::path& path) {
+void write_smoothness_csv(const PaperRuns& runs, const std::filesystem::path& path) {
   OutputFile file(path.string());
   file.print(
       "motion,run,command,peak_mN,step_mN,step_after_0.3s_mN,step_after_1s_mN,second_difference_mN,"
@@ -143,7 +143,7 @@ void add_smoothness_section(const PaperRuns& runs, const Experiment& experiment,
   run_gnuplot(chart_script(steps_chart("steps_corner.svg", runs.corner)) +
                   chart_script(steps_chart("steps_indentation.svg", runs.indentation)),
               experiment.folder);
-  write_csv(runs, experiment.folder / "smoothness.csv");
+  write_smoothness_csv(runs, experiment.folder / "smoothness.csv");
 
   page.add_section("How smooth the force is");
   page.add_paragraph(fmt::format(

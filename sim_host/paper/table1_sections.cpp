@@ -132,9 +132,8 @@ void add_error_section(ReportPage& page, const Table1Study& study) {
   page.add_table(table_of(table, Table1Part::kCount, "At the paper's number of rotation tets, mm."));
   page.add_table(table_of(table, Table1Part::kTheta, "At the paper's θ, mm."));
   if (!table.options.is_quick) {
-    page.add_table(table_of(
-        table, Table1Part::kSiblings,
-        "The paper's criterion in our core, siblings compared, at the paper's θ, mm."));
+    page.add_table(table_of(table, Table1Part::kSiblings,
+                            "The paper's criterion in our core, siblings compared, at the paper's θ, mm."));
     page.add_table(
         table_of(table, Table1Part::kFull, "Every tet with its own rotation: what fixed point costs, mm."));
   }

@@ -16,7 +16,6 @@ namespace palpate::sim {
 namespace {
 
 constexpr auto kRemeshStage = static_cast<std::size_t>(CoreStage::kRemesh);
-constexpr uint32_t kEndEvery = 20;
 
 /// The node that rests in the middle of the far end of the longest axis.
 std::optional<std::size_t> middle_of_end(const BodyShape& shape) {

@@ -12,6 +12,9 @@
 
 namespace palpate::sim {
 
+/// Ticks between two points of a trace's end_mm.
+inline constexpr uint32_t kEndEvery = 20;
+
 struct RunRequest {
   std::string name;                                             // of its folder
   std::string scenario;                                         // a built-in one
@@ -28,7 +31,7 @@ struct Trace {
   std::vector<std::array<double, 3>> force_n;
   std::vector<uint32_t> tets, rotation_tets;
   std::vector<double> remesh_ms;  // of the host, in the stage
-  ChartPoints end_mm;             // s, and how far the middle of the far end is along y, every 20 ticks
+  ChartPoints end_mm;             // s, and how far the middle of the far end is along y
   BodyFields farthest, last;      // when the watched node was farthest, the last of several times; at the end
   Totals totals{};
   uint32_t all_flags = 0;

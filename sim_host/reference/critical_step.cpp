@@ -9,7 +9,7 @@
 namespace palpate::reference {
 namespace {
 
-constexpr int kMostRounds = 400;
+constexpr int kMostPowerSteps = 400;
 constexpr int kIterationsARound = 50;
 
 /// Not symmetric in any way that the mesh could have, and the same on every run.
@@ -34,7 +34,7 @@ double largest_angular_frequency(const Mesh& mesh, const std::vector<Material>& 
   k = (root.asDiagonal() * k * root.asDiagonal()).eval();
   Eigen::VectorXd v = first_guess(free.coordinates());
   double before = 0.0;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMostPowerSteps; ++round) {
     for (int i = 0; i < kIterationsARound; ++i) v = (k * v).normalized();
     const double quotient = v.dot(k * v);
     if (quotient - before < 1e-9 * quotient) return std::sqrt(quotient);

@@ -144,12 +144,11 @@ class MeshChanges {
     uint32_t at = 0;
     for ([[maybe_unused]] const uint32_t i : bounded<Profile::kTethers>(tethers_.count, [] {})) {
       Tether& tether = tethers_.tether[at];
-      if (tether.node == pinned_) {
-        tethers_.remove(at);  // the tool has it now
-      } else if (tether.ticks_left > 1) {
+      const bool is_taken = tether.node == pinned_;  // by the tool: nothing else moves it
+      if (!is_taken && tether.ticks_left > 1) {
         --tether.ticks_left;
         ++at;
-      } else if (tether.kind == TetherKind::kRelease || merge_at(tether, left)) {
+      } else if (is_taken || tether.kind == TetherKind::kRelease || merge_at(tether, left)) {
         tethers_.remove(at);
       } else {
         ++at;  // it holds the node where it is, or now lets go of it
