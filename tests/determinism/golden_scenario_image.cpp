@@ -3,19 +3,15 @@
 // from a few poses, by the compiler and in integers.
 #include "golden_body.hpp"
 
+#include <type_traits>
+
 namespace palpate {
 namespace golden {
-namespace {
 
-template <class>
-inline constexpr Discretization kMesh = {4, 3, 6, 4, 20, Q<0, 31>::ratio(75, 128),
-                                         20};  // 288 leaves at start
-template <>
-inline constexpr Discretization kMesh<Small> = {3, 2, 4, 2, 20, Q<0, 31>::ratio(75, 128), 22};  // 144 leaves
-
-}  // namespace
-
-const Discretization kDiscretization = kMesh<Profile>;
+// 144 leaves at start in Small, 288 in the others.
+constexpr Discretization kDiscretization = std::is_same_v<Profile, Small>
+                                               ? Discretization{3, 2, 4, 2, 20, Q<0, 31>::ratio(75, 128), 22}
+                                               : Discretization{4, 3, 6, 4, 20, Q<0, 31>::ratio(75, 128), 20};
 
 }  // namespace golden
 
@@ -73,10 +69,7 @@ constexpr std::array<ScriptRow, kTicks> kRows = make_rows();
 }  // namespace
 
 const ScenarioImage kScenarioImage = {
-    "golden",
-    {golden::make_body(golden::kMesh<golden::Profile>), golden::make_scene()},
-    kRows.data(),
-    kTicks};
+    "golden", {golden::make_body(golden::kDiscretization), golden::make_scene()}, kRows.data(), kTicks};
 
 }  // namespace firmware
 }  // namespace palpate

@@ -5,13 +5,9 @@
 
 namespace palpate {
 namespace golden {
-namespace {
 
-constexpr Discretization kStorm = {3, 2, 6, 1, 1000, Q<0, 31>::ratio(3, 4), 18};  // 144 leaves at start
-
-}  // namespace
-
-const Discretization kDiscretization = kStorm;
+// 144 leaves at start.
+constexpr Discretization kDiscretization = {3, 2, 6, 1, 1000, Q<0, 31>::ratio(3, 4), 18};
 
 }  // namespace golden
 
@@ -29,8 +25,10 @@ constexpr std::array<ScriptRow, golden::kStormTicks> kRows = make_rows();
 
 }  // namespace
 
-const ScenarioImage kScenarioImage = {
-    "storm", {golden::make_body(golden::kStorm), golden::make_scene()}, kRows.data(), golden::kStormTicks};
+const ScenarioImage kScenarioImage = {"storm",
+                                      {golden::make_body(golden::kDiscretization), golden::make_scene()},
+                                      kRows.data(),
+                                      golden::kStormTicks};
 
 }  // namespace firmware
 }  // namespace palpate
