@@ -25,9 +25,9 @@ nav ol { display: flex; flex-wrap: wrap; gap: .2rem 1.8rem; margin: 0; padding: 
 table { border-collapse: collapse; font-size: .93rem; line-height: 1.35; font-variant-numeric: tabular-nums lining-nums; }
 caption { caption-side: top; padding: 0 0 .55rem; text-align: left; color: var(--soft); }
 caption::before { counter-increment: table; content: 'Table ' counter(table) '. '; font-weight: 600; color: var(--ink); }
-thead th { padding: .45rem .95rem .4rem; border-top: 2px solid var(--ink); border-bottom: 1px solid var(--ink);
+thead th { padding: .45rem .6rem .4rem; border-top: 2px solid var(--ink); border-bottom: 1px solid var(--ink);
   text-align: left; vertical-align: bottom; font-weight: 600; }
-td { padding: .34rem .95rem; border-bottom: 1px solid var(--rule); text-align: left; vertical-align: top; }
+td { padding: .34rem .6rem; border-bottom: 1px solid var(--rule); text-align: left; vertical-align: top; }
 tbody tr:last-child td { border-bottom: 2px solid var(--ink); }
 thead th.number, td.number { text-align: right; white-space: nowrap; }
 .paper { color: var(--soft); font-style: italic; }

@@ -37,7 +37,7 @@ void add_paper_cells(std::vector<Cell>& cells, const published::Table1Column* co
 
 std::vector<std::string> header(bool has_paper) {
   std::vector<std::string> names = {"θ, degrees", "rotation tets", "average",
-                                    "maximum",    "minimum",       "average from NL-FEM"};
+                                    "maximum",    "minimum",       "from NL-FEM"};
   if (has_paper) {
     for (const char* name : {"paper: tets", "average", "maximum", "minimum"}) names.emplace_back(name);
   }

@@ -97,16 +97,20 @@ double Trace::peak_n() const {
   return peak;
 }
 
-double Trace::mean_tets() const {
-  return std::accumulate(tets.begin(), tets.end(), 0.0) /
-         static_cast<double>(std::max<std::size_t>(1, tets.size()));
+namespace {
+
+double ns_a_tick_and_tet(double ms, const Trace& trace) {
+  constexpr double kNsOfMs = 1e6;
+  return kNsOfMs * ms / std::max(1.0, std::accumulate(trace.tets.begin(), trace.tets.end(), 0.0));
 }
 
+}  // namespace
+
 double Trace::remesh_ns() const {
-  constexpr double kNsOfMs = 1e6;
-  const double all_ms = std::accumulate(remesh_ms.begin(), remesh_ms.end(), 0.0);
-  return kNsOfMs * all_ms / std::max(1.0, std::accumulate(tets.begin(), tets.end(), 0.0));
+  return ns_a_tick_and_tet(std::accumulate(remesh_ms.begin(), remesh_ms.end(), 0.0), *this);
 }
+
+double Trace::tick_ns() const { return ns_a_tick_and_tet(all_ms, *this); }
 
 Trace trace_run(const RunRequest& request, const std::filesystem::path& folder) {
   Scenario scenario = scenario_of(request);
@@ -122,6 +126,8 @@ Trace trace_run(const RunRequest& request, const std::filesystem::path& folder) 
   if (scenario.plots) draw_plots(recording, simulation->has_device(), run);
   run.commit();
   trace.last = simulation->fields();
+  const auto stages = simulation->stage_ms();
+  trace.all_ms = std::accumulate(stages.begin(), stages.end(), 0.0);
   trace.totals = simulation->totals();
   trace.all_flags = recording.all_flags;
   trace.failure = simulation->failure();

@@ -31,6 +31,7 @@ struct Trace {
   std::vector<std::array<double, 3>> force_n;
   std::vector<uint32_t> tets, rotation_tets;
   std::vector<double> remesh_ms;  // of the host, in the stage
+  double all_ms = 0.0;            // of the host, in all stages and ticks
   ChartPoints end_mm;             // s, and how far the middle of the far end is along y
   BodyFields farthest, last;      // when the watched node was farthest, the last of several times; at the end
   Totals totals{};
@@ -38,9 +39,9 @@ struct Trace {
   std::optional<std::string> failure;
 
   [[nodiscard]] double peak_n() const;
-  [[nodiscard]] double mean_tets() const;
-  /// In the re-mesh stage, a tick and tet.
+  /// Time of the host a tick and tet: in the re-mesh stage, and in all stages.
   [[nodiscard]] double remesh_ns() const;
+  [[nodiscard]] double tick_ns() const;
 };
 
 /// Runs it into `folder`/name, with a line on standard output when it is done.

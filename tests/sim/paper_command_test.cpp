@@ -66,21 +66,5 @@ TEST(SlowPaperCommand, QuicklyWritesWhatItPromises) {
   expect_bodies(folder / "report");
 }
 
-/// The command around it: what it installs, and its steps.
-TEST(DevPaper, BuildsRunsAndReadsTheBodies) {
-  const std::string dev = read_text(fs::path(PALPATE_SOURCE_FOLDER) / "dev");
-  const auto start = dev.find("\ncommand_paper() {");
-  ASSERT_NE(start, std::string::npos);
-  const std::string command = dev.substr(start, dev.find("\n}\n", start) - start);
-  std::size_t at = 0;
-  for (const char* step :
-       {"install $program_packages python3-vtk9", "need build-host build host -DPALPATE_TESTS=OFF",
-        "palpate paper --out \"$out\"", "step read-bodies ", "report.html"}) {
-    at = command.find(step, at);
-    EXPECT_NE(at, std::string::npos) << step;
-  }
-  EXPECT_NE(dev.find("\n#: paper "), std::string::npos);
-}
-
 }  // namespace
 }  // namespace palpate::test

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "paper/criterion_ranking.hpp"
+#include "paper/mesh_error.hpp"
 #include "paper/model_sine.hpp"
 #include "paper/parallel.hpp"
 #include "paper/rest_solution.hpp"
@@ -59,83 +59,6 @@ TEST(MeshError, RefusesAMeshWithAHole) {
   sim::BodyFields coarse = cube();
   coarse.tets.resize(1);
   EXPECT_THROW(sim::error_of(coarse, cube(), std::vector<bool>(8, true)), std::logic_error);
-}
-
-TEST(CriterionStudy, CurvesAreStraightInLogarithms) {
-  const auto point = [ns = 0.0](double tets, double mm) {
-    return sim::StudyPoint{0.1, tets, 0, {mm, mm}, 0.0, ns, ""};
-  };
-  const sim::StudyCurve curve{"six-edges",
-                              {point(100, 1.0), point(200, 0.5), point(200, 0.5), point(3000, 0.1)}};
-  EXPECT_NEAR(sim::error_at(curve, 150), 1.0 / 1.5, 1e-12);
-  EXPECT_NEAR(sim::error_at(curve, 100), 1.0, 1e-12);
-  EXPECT_NEAR(sim::error_at(curve, 1000), 0.5, 1e-12);  // too far from the next point
-  EXPECT_NEAR(sim::error_at(curve, 5000), 0.1, 1e-12);
-  EXPECT_FALSE(std::isfinite(sim::error_at(curve, 99)));
-}
-
-/// A perfect mesh does not outweigh everything else in a geometric mean.
-TEST(CriterionStudy, ErrorsBelowAMicrometreAreEquallyGood) {
-  const auto point = [ns = 0.0](double tets, double mm) {
-    return sim::StudyPoint{0.1, tets, 0, {mm, mm}, 0.0, ns, ""};
-  };
-  const sim::StudyCurve curve{"six-edges", {point(100, 1e-14), point(1000, 1e-15)}};
-  EXPECT_NEAR(sim::error_at(curve, 200), 1e-3, 1e-12);
-  EXPECT_NEAR(sim::error_at(curve, 2000), 1e-3, 1e-12);
-}
-
-/// Curves whose error is so many mm everywhere.
-sim::LoadStudy flat_study(const std::string& load, double six, double longest, double jump, double uniform) {
-  const auto flat = [](const std::string& name, double mm, double ns) {
-    const auto point = [&](double tets) { return sim::StudyPoint{0.1, tets, 0, {mm, mm}, 0.0, ns, ""}; };
-    return sim::StudyCurve{name, {point(150), point(400), point(1000)}};
-  };
-  return {load,
-          6,
-          {flat(sim::kUniformMesh, uniform, 0.0), flat("six-edges", six, 20.0),
-           flat("longest-edge", longest, 10.0), flat("strain-jump", jump, 200.0)}};
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
-TEST(CriterionRanking, IsByTheGeometricMeanOverAllLoads) {
-  const std::vector<sim::LoadStudy> studies = {flat_study("bend", 0.1, 0.4, 0.2, 1.0),
-                                               flat_study("corner", 0.9, 0.4, 0.2, 1.0)};
-  const auto order = sim::rank_all(studies);
-  ASSERT_EQ(order.size(), 4U);
-  EXPECT_EQ(order[0].name, "strain-jump");
-  EXPECT_NEAR(order[0].mm, 0.2, 1e-9);
-  EXPECT_EQ(order[1].name, "six-edges");
-  EXPECT_NEAR(order[1].mm, 0.3, 1e-9);
-  EXPECT_EQ(sim::best_criterion(sim::rank(studies[0]).order).name, "six-edges");
-  EXPECT_EQ(sim::chosen_criterion(order).name, "strain-jump");
-}
-
-TEST(CriterionRanking, TimeDecidesBetweenEqualErrors) {
-  const auto chosen = [](double six, double longest, double jump) {
-    return sim::chosen_criterion(sim::rank_all({flat_study("bend", six, longest, jump, 0.1)})).name;
-  };
-  EXPECT_EQ(chosen(0.208, 0.4, 0.2), "six-edges");
-  EXPECT_EQ(chosen(0.211, 0.4, 0.2), "strain-jump");
-  EXPECT_EQ(chosen(0.208, 0.209, 0.2), "longest-edge");
-}
-
-/// The sentence follows from the figures and from the default, whatever they are.
-TEST(CriterionRanking, ConcludesFromWhatWasMeasured) {
-  for (const std::string& chosen : std::vector<std::string>{"six-edges", "longest-edge", "strain-jump"}) {
-    const auto mm = [&](const char* name) { return chosen == name ? 0.1 : 0.4; };
-    const sim::LoadStudy won =
-        flat_study("bend", mm("six-edges"), mm("longest-edge"), mm("strain-jump"), 1.0);
-    const std::string text = sim::conclusion_of({won});
-    EXPECT_TRUE(contains(text, chosen + " is the best criterion")) << text;
-    EXPECT_EQ(contains(text, "NOT the default"), chosen != sim::default_criterion()) << text;
-    EXPECT_FALSE(contains(text, "Another criterion")) << text;
-    EXPECT_FALSE(contains(text, "A uniform mesh")) << text;
-  }
-  const std::string text =
-      sim::conclusion_of({flat_study("bend", 0.1, 0.4, 0.2, 0.05), flat_study("corner", 0.9, 0.4, 0.2, 1.0)});
-  EXPECT_TRUE(contains(text, "Another criterion is better for bend to level 6 (six-edges 0.100 mm")) << text;
-  EXPECT_TRUE(contains(text, "A uniform mesh beats all three for bend to level 6.")) << text;
 }
 
 TEST(InParallel, KeepsTheOrderAndThrowsTheFirstFailure) {

@@ -1,29 +1,21 @@
-// A small generator with the same numbers on every machine (SplitMix64), for long seeded sequences.
+// The plant's random numbers, made into what tests draw: the same on every machine, for long seeded
+// sequences.
 #pragma once
 
 #include <Eigen/Dense>
-#include <cmath>
-#include <cstdint>
+
+#include "plant/noise.hpp"
 
 namespace palpate::test {
 
-class Random {
+class Random : public plant::Noise {
  public:
-  explicit Random(uint64_t seed) : state_(seed) {}
+  using Noise::Noise;
 
-  uint64_t bits() {
-    state_ += 0x9e3779b97f4a7c15u;
-    uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
   /// 0 .. count - 1
   uint32_t below(uint32_t count) { return static_cast<uint32_t>((bits() >> 32) * count >> 32); }
   /// [-1, 1)
   double centred() { return std::ldexp(static_cast<double>(bits() >> 11), -52) - 1.0; }
-  /// [0, 1)
-  double unit() { return std::ldexp(static_cast<double>(bits() >> 11), -53); }
 
   /// One number after the other: the order in which a call evaluates its arguments is the compiler's.
   Eigen::Vector3d vector() {
@@ -52,9 +44,6 @@ class Random {
     }
     return q.normalized().toRotationMatrix();
   }
-
- private:
-  uint64_t state_;
 };
 
 }  // namespace palpate::test
