@@ -7,6 +7,7 @@
 
 namespace palpate::sim {
 
+inline constexpr const char* kPaperTheta = "1.8";
 /// theta_max at which the 90 degree bend has as many rotation tets as in the paper's row of 1.8 degrees: 696.
 inline constexpr const char* kPaperRowTheta = "0.2";
 inline constexpr uint32_t kPaperRowRotationTets = 696;

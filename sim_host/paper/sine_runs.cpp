@@ -14,6 +14,7 @@ const Parameters kCorner = {};
 const Parameters kIndentation = {{"hold", "both"}, {"amplitude_mm", "20"}};
 const Parameters kFull = {{"profile", "workstation"}, {"rotations", "full"}};
 const Parameters kFine = {{"profile", "workstation"}, {"theta", kPaperRowTheta}};
+const Parameters kAtPaperTheta = {{"profile", "workstation"}, {"theta", kPaperTheta}};
 const Parameters kWorkstation = {{"profile", "workstation"}};
 const Parameters kOnChip = {};
 const Parameters kMoving = {{"stretch", "six-edges"}, {"least_level", "3"}};
@@ -35,6 +36,8 @@ std::vector<RunRequest> requests_of(const Experiment& experiment) {
   sine("indentation-full", {kIndentation, kFull});
   sine("corner-fine", {kCorner, kFine});
   sine("indentation-fine", {kIndentation, kFine});
+  sine("corner-paper-theta", {kCorner, kAtPaperTheta});
+  sine("indentation-paper-theta", {kIndentation, kAtPaperTheta});
   sine("corner-default", {kCorner, kWorkstation});
   sine("corner-on-chip", {kCorner, kOnChip, kSeries});
   sine("indentation-on-chip", {kIndentation, kOnChip});
@@ -64,6 +67,7 @@ SineRuns take_motion(const Experiment& experiment, std::vector<Trace>& traces, c
                      const std::string& what, const Parameters& motion) {
   return SineRuns{what,
                   take(traces, name + "-full"),
+                  take(traces, name + "-paper-theta"),
                   take(traces, name + "-fine"),
                   take(traces, name + "-fine-moving"),
                   take(traces, name + "-on-chip"),

@@ -11,6 +11,7 @@ namespace palpate::sim {
 struct SineRuns {
   std::string what;      // "corner of the free end"
   Trace full;            // profile workstation, full corotation, uniform mesh
+  Trace at_paper_theta;  // theta 1.8 degrees of our own measure
   Trace fine;            // rotation front as fine as the paper's row of 1.8 degrees
   Trace fine_moving;     // and the mesh changes too
   Trace on_chip;         // profile cuboid-paper, as it is by default
