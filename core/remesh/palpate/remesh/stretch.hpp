@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpate/mesh/deformation_gradient.hpp"
+#include "palpate/mesh/patch.hpp"
 #include "palpate/remesh/rules.hpp"
 
 namespace palpate {
@@ -67,8 +68,8 @@ StretchMeasure edge_stretch(const NodeState<Capacity>& node, uint16_t a, uint16_
 /// Of the edge that a bisection would halve.
 template <class Profile>
 StretchMeasure longest_edge_stretch(const Forest<Profile>& forest, const Leaf& leaf) {
-  const uint32_t end = refinement_end(type_of_level(leaf.level));
-  return edge_stretch(forest.node, leaf.node[0], leaf.node[end], size_of_level(leaf.level));
+  const EdgeEnds edge = refinement_edge(leaf);
+  return edge_stretch(forest.node, edge[0], edge[1], size_of_level(leaf.level));
 }
 
 /// The largest of all six edges.
