@@ -48,6 +48,32 @@ TEST(LinkErrors, EverySingleBitIsFound) {
   }
 }
 
+/// Why the check covers the encoded bytes: of this body with its check inside COBS, a single wrong bit makes
+/// another body whose check is right.
+TEST(LinkErrors, ACheckInsideCobsWouldMissASingleBit) {
+  const Bytes body = {0x01, 0x01, 0xa9, 0x09, 0xa9, 0x09, 0x00, 0x00, 0x02, 0x00, 0x03, 0x02, 0x01, 0x01,
+                      0x03, 0x03, 0x00, 0x01, 0x01, 0x02, 0x01, 0x00, 0x00, 0x00, 0x00, 0x02, 0x02, 0x02};
+  const uint16_t crc = reference_crc(body);
+  Bytes plain = body;
+  append(plain, {static_cast<uint8_t>(crc / 256), static_cast<uint8_t>(crc % 256)});
+  Bytes encoded = reference_cobs(plain);
+  flip(encoded, 64);
+  const std::optional<Bytes> received = reference_cobs_decoded(encoded);
+  ASSERT_TRUE(received);
+  const Bytes other(received->begin(), received->end() - 2);
+  EXPECT_EQ(other.size(), body.size());
+  EXPECT_NE(other, body);
+  EXPECT_EQ(reference_crc(other), received->end()[-2] * 256 + received->end()[-1]);
+
+  const Bytes frame = between_zeros(reference_piece(body));
+  ASSERT_EQ(accepted_sequences(frame).size(), 1u);
+  for (std::size_t bit = 0; bit < kBits; ++bit) {
+    Bytes damaged = frame;
+    flip(damaged, bit);
+    EXPECT_TRUE(accepted_sequences(joined({{0}, damaged, {0}})).empty()) << bit;
+  }
+}
+
 TEST(LinkErrors, EveryTwoBitsAreFound) {
   Random random(12);
   for (uint32_t i = 0; i < in_soak(1000u, 3u); ++i) {
