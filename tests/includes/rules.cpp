@@ -34,6 +34,7 @@ const std::vector<Part>& parts() {
       {"firmware/cycle/",
        {"numeric", "memory", "mesh", "elastic", "remesh", "solve", "touch", "embed", "tick", "phantom",
         "firmware"}},
+      {"firmware/link/", {"numeric", "link"}},
       {"firmware/main/", {"numeric", "tick", "firmware", "ports"}},
       {"board/scripted/", {kPlatform, "ports", kImage}},
       {"board/", {kPlatform, "ports"}},
@@ -151,7 +152,8 @@ Findings check_words(const Source& source) {
 Findings check_loops(const Source& source) {
   Findings findings;
   const bool concerned = starts_with(source.path, "core/") || starts_with(source.path, "hal/") ||
-                         starts_with(source.path, "firmware/cycle/");
+                         starts_with(source.path, "firmware/cycle/") ||
+                         starts_with(source.path, "firmware/link/");
   if (!concerned) return findings;
   for (const Loop& loop : find_loops(without_comments_and_literals(source.text))) {
     if (!is_bounded(loop.head)) {

@@ -34,6 +34,8 @@ TEST(IncludeRule, SeparatesCoreDeviceAndBoard) {
   EXPECT_NE(include_finding("hal/phantom/a.cpp", "mesh/forest.hpp"), "not one finding");
   EXPECT_NE(include_finding("hal/ports/palpate/ports/a.hpp", "numeric/q.hpp"), "not one finding");
   EXPECT_NE(include_finding("firmware/cycle/palpate/firmware/a.hpp", "ports/motors.hpp"), "not one finding");
+  EXPECT_NE(include_finding("firmware/link/palpate/link/a.hpp", "phantom/premium.hpp"), "not one finding");
+  EXPECT_NE(include_finding("firmware/link/palpate/link/a.hpp", "firmware/cycle.hpp"), "not one finding");
   EXPECT_NE(include_finding("board/mps2/a.cpp", "tick/tick.hpp"), "not one finding");
   EXPECT_NE(include_finding("board/mps2/a.cpp", "firmware/scenario_image.hpp"), "not one finding");
 }
@@ -45,6 +47,7 @@ TEST(IncludeRule, AcceptsWhatIsBelow) {
   EXPECT_TRUE(check_includes({"firmware/cycle/a.cpp", "#include \"palpate/phantom/premium.hpp\"\n"}).empty());
   EXPECT_TRUE(
       check_includes({"board/scripted/a.cpp", "#include \"palpate/firmware/scenario_image.hpp\"\n"}).empty());
+  EXPECT_TRUE(check_includes({"firmware/link/a.cpp", "#include \"palpate/numeric/bounded.hpp\"\n"}).empty());
   EXPECT_TRUE(check_includes({"firmware/main/a.cpp", "#include \"run.hpp\"\n"}).empty());
 }
 
@@ -109,6 +112,7 @@ TEST(LoopRule, AcceptsBoundedRanges) {
 TEST(LoopRule, LeavesTheBackgroundAlone) {
   EXPECT_TRUE(check_loops({"firmware/main/a.cpp", "for (;;) wait();"}).empty());
   EXPECT_EQ(check_loops({"firmware/cycle/a.cpp", "for (;;) wait();"}).size(), 1u);
+  EXPECT_EQ(check_loops({"firmware/link/a.cpp", "for (;;) wait();"}).size(), 1u);
 }
 
 TEST(Exceptions, HoldForTheirFileAndLineOnly) {
