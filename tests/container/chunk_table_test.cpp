@@ -105,8 +105,9 @@ TEST(ChunkTable, TakesNothingFromAFileThatIsNotWhole) {
   EXPECT_EQ(collect_from(file).finding.status, ReadStatus::kChunkDamaged);
   const File whole = file_of(Kind::kSnapshot, {kGoodNode, kGoodTets});
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    ASSERT_EQ(collect_from(File(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))).finding.status,
-              ReadStatus::kCut);
+    ASSERT_EQ(
+        collect_from(File(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))).finding.status,
+        ReadStatus::kCut);
   }
   EXPECT_EQ(collect_from(whole, Kind::kModel).finding.status, ReadStatus::kWrongKind);
 }

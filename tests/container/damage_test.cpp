@@ -164,6 +164,19 @@ TEST(Damage, AForeignChunkIsSeen) {
   EXPECT_EQ(read_all(file, Kind::kRecording).last.status, ReadStatus::kChunksReplaced);
 }
 
+/// A header that is good in itself, of a chunk that is as long: the payload's check is of both.
+TEST(Damage, AForeignChunkHeaderIsSeen) {
+  const std::vector<Written> chunks = {{kRows, 1, true, File(4, 1)}};
+  for (const Written& other : {Written{kNode, 1, true, File(4, 1)}, Written{kRows, 2, true, File(4, 1)},
+                               Written{kRows, 1, false, File(4, 1)}}) {
+    File file = file_of(Kind::kRecording, chunks);
+    const File foreign = file_of(Kind::kRecording, {other});
+    std::copy(foreign.begin() + kFileHeaderBytes, foreign.begin() + kFileHeaderBytes + kChunkHeaderBytes,
+              file.begin() + kFileHeaderBytes);
+    EXPECT_EQ(read_all(file, Kind::kRecording).last.status, ReadStatus::kChunkDamaged);
+  }
+}
+
 TEST(Damage, AForeignHeaderIsSeen) {
   const File model = file_of(Kind::kModel, some_chunks());
   File file = file_of(Kind::kSnapshot, some_chunks());
@@ -194,7 +207,10 @@ TEST(Damage, ATransferAsTextIsCalledThat) {
 }
 
 TEST(Damage, OtherFilesAreNotContainers) {
-  for (const char* text : {"x", "# Palpate", "\x7f" "ELF", "\x89PNG\r\n\x1a\n"}) {
+  for (const char* text : {"x", "# Palpate",
+                           "\x7f"
+                           "ELF",
+                           "\x89PNG\r\n\x1a\n"}) {
     const std::string other = text;
     const Finding last = read_all(File(other.begin(), other.end()), Kind::kModel).last;
     EXPECT_EQ(last.status, ReadStatus::kNotAContainer) << text;

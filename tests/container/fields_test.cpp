@@ -112,9 +112,9 @@ TEST(Fields, HaveTheirPlaces) {
   record.colour = Colour::kBlue;
   record.fixed = Fixed::from_raw(0x11223344);
   record.fixed_array = {Fixed::from_raw(1), Fixed::from_raw(-1), Fixed::min()};
-  const File expected = {0x01, 0xfe, 0x04, 0x03, 0xfe, 0xff, 8, 7, 6, 5, 0xfe, 0xff, 0xff, 0xff, 8, 7, 6, 5, 4,
-                         3, 2, 1, 2, 0x44, 0x33, 0x22, 0x11, 1, 0, 0, 0, 0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0x80,
-                         0, 0, 0, 0, 0};
+  const File expected = {0x01, 0xfe, 0x04, 0x03, 0xfe, 0xff, 8, 7, 6,    5,    0xfe, 0xff, 0xff, 0xff, 8,
+                         7,    6,    5,    4,    3,    2,    1, 2, 0x44, 0x33, 0x22, 0x11, 1,    0,    0,
+                         0,    0xff, 0xff, 0xff, 0xff, 0,    0, 0, 0x80, 0,    0,    0,    0,    0};
   EXPECT_EQ(payload_of(record), expected);
 }
 

@@ -68,8 +68,8 @@ CycleModel random_model(Random& random) {
     body.remesh.stretch.levels[i] = {static_cast<uint8_t>(random.below(body.level + 1u)),
                                      static_cast<uint8_t>(body.level + random.below(9))};
   }
-  body.dynamics = {static_cast<uint8_t>(1 + random.below(kMaxSubsteps)),
-                   random_positive<Q<-5, 36>>(random), random_positive<Q<0, 31>>(random),
+  body.dynamics = {static_cast<uint8_t>(1 + random.below(kMaxSubsteps)), random_positive<Q<-5, 36>>(random),
+                   random_positive<Q<0, 31>>(random),
                    random_in(random, Q<0, 31>::ratio(1, 2), Q<0, 31>::max()),
                    static_cast<int8_t>(3 + random.below(6))};
   RemeshRules& rules = body.remesh;

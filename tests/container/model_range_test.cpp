@@ -52,8 +52,7 @@ const std::vector<Case>& refused() {
       {"DYNM", "substeps", kRange, [](M& m) { m.body.dynamics.substeps = kMaxSubsteps + 1; }},
       {"DYNM", "impulse exponent", kRange, [](M& m) { m.body.dynamics.impulse_exponent = 2; }},
       {"DYNM", "impulse exponent", kRange, [](M& m) { m.body.dynamics.impulse_exponent = 35; }},
-      {"DYNM", "mass damping", kRange,
-       [](M& m) { m.body.dynamics.mass_damping = Q<-5, 36>::from_raw(-1); }},
+      {"DYNM", "mass damping", kRange, [](M& m) { m.body.dynamics.mass_damping = Q<-5, 36>::from_raw(-1); }},
       {"DYNM", "stiffness damping", kRange,
        [](M& m) { m.body.dynamics.stiffness_damping = Q<0, 31>::from_raw(-1); }},
       {"DYNM", "impulse mantissa", kRange,
@@ -136,7 +135,9 @@ void expect_taken(const std::function<void(CycleModel&)>& change) {
 /// The limits themselves, and what is a limit only elsewhere.
 TEST(ModelRange, HasItsLimitsInside) {
   using M = CycleModel;
-  expect_taken([](M& m) { m.body.materials[0] = {ShearCoefficient::ratio(1, 12), BulkCoefficient::from_raw(0)}; });
+  expect_taken([](M& m) {
+    m.body.materials[0] = {ShearCoefficient::ratio(1, 12), BulkCoefficient::from_raw(0)};
+  });
   expect_taken([](M& m) { m.body.materials[0].bulk = BulkCoefficient::ratio(555, 100); });
   expect_taken([](M& m) { m.body.region_density[7] = 0; });  // no cube has it
   expect_taken([](M& m) { m.body.region_density[1] = 102; });

@@ -76,8 +76,7 @@ TEST(RoundTrip, RandomDamageIsRefused) {
       damaged[random.below(static_cast<uint32_t>(damaged.size()))] = static_cast<uint8_t>(random.below(256));
     }
     if (damaged == whole) continue;
-    ASSERT_FALSE(
-        container::is_usable(Kind::kRecording, read_all(damaged, Kind::kRecording).last.status));
+    ASSERT_FALSE(container::is_usable(Kind::kRecording, read_all(damaged, Kind::kRecording).last.status));
   }
 }
 

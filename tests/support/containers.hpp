@@ -101,7 +101,10 @@ inline void renew_checks(File& file, uint32_t offset) {
   put_u32(at + 12, crc32c(Bytes{at, 12}));
   if (offset == 0) return;
   const uint32_t before_check = chunk_bytes(get_u32(at + 8)) - kCheckBytes;
-  put_u32(at + before_check, crc32c(Bytes{at, before_check}));
+  Crc32c crc;
+  crc.add(Bytes{at, 12});
+  crc.add(Bytes{at + 16, before_check - 16});
+  put_u32(at + before_check, crc.value());
 }
 
 }  // namespace palpate::test

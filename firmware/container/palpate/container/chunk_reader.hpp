@@ -135,8 +135,12 @@ class ChunkReader {
   [[nodiscard]] Finding check_body(const Header& header) const {
     const uint32_t before_check = chunk_bytes(header.length) - kCheckBytes;
     const uint32_t check = get_u32(file_.data + at_ + before_check);
-    const uint32_t right_check = crc32c(file_.part(at_, before_check));
-    if (check != right_check) return here(ReadStatus::kChunkDamaged, header, right_check, check);
+    Crc32c right_check;
+    right_check.add(file_.part(at_, kChunkHeaderBytes - kCheckBytes));
+    right_check.add(file_.part(at_ + kChunkHeaderBytes, before_check - kChunkHeaderBytes));
+    if (check != right_check.value()) {
+      return here(ReadStatus::kChunkDamaged, header, right_check.value(), check);
+    }
     const uint32_t padding = at_ + kChunkHeaderBytes + header.length;
     for (const uint32_t i : bounded<7>(padding_bytes(header.length), [] {})) {
       const uint8_t byte = file_.data[padding + i];

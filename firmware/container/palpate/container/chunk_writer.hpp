@@ -101,10 +101,11 @@ class ChunkWriter {
     put_u32(header + 8, length);
     put_u32(header + 12, crc32c(Bytes{header, 12}));
     crc_ = Crc32c();
+    crc_.add(Bytes{header, kChunkHeaderBytes - kCheckBytes});
     left_ = length;
     padding_ = padding_bytes(length);
     place_ = Place::kInChunk;
-    send_checked(Bytes{header, kChunkHeaderBytes});
+    send(Bytes{header, kChunkHeaderBytes});
   }
 
   [[nodiscard]] bool must_be(Place place) {

@@ -9,10 +9,11 @@
 //    12  u32 CRC-32C of all before    12          u32 CRC-32C of the 12 bytes before
 //                                     16          payload
 //                                     16 + length zeros, 0 to 7
-//                                     end - 4     u32 CRC-32C of the chunk from its tag to here
+//                                     end - 4     u32 CRC-32C of 0 to 11 and of 16 to here
 //
 // A header has a check of its own so that a damaged length is told from a file that was cut off. The other
-// one stands behind the payload, so that a writer needs no memory for it.
+// one stands behind the payload, so that a writer needs no memory for it. It leaves the header's check out:
+// what a CRC says of bytes with their own CRC behind them is the same for all bytes.
 #pragma once
 
 #include "palpate/container/bytes.hpp"
