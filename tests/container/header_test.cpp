@@ -149,6 +149,25 @@ TEST(ChunkReader, StaysAtTheEnd) {
   EXPECT_EQ(reader.count(), 1u);
 }
 
+TEST(ChunkReader, GivesNothingBeforeItIsOpened) {
+  const File file = small_file();
+  ChunkReader reader(bytes_of(file));
+  Chunk chunk{};
+  EXPECT_EQ(reader.next(chunk).status, ReadStatus::kNotAContainer);
+}
+
+TEST(ChunkReader, CanStartAgain) {
+  const File file = file_of(Kind::kSnapshot, {{kRows, 1, true, {}}, {kRows, 2, true, {}}});
+  ChunkReader reader(bytes_of(file));
+  Chunk chunk{};
+  EXPECT_EQ(reader.open(Kind::kModel).status, ReadStatus::kWrongKind);
+  for (uint32_t chunks = 0; chunks < 3; ++chunks) {
+    ASSERT_TRUE(reader.open(Kind::kSnapshot).is_done());
+    for (uint32_t i = 0; i < chunks; ++i) ASSERT_TRUE(reader.next(chunk).is_done());
+  }
+  EXPECT_EQ(reader.next(chunk).status, ReadStatus::kEnd);
+}
+
 /// What it gives lies in the file, aligned as the file is.
 TEST(ChunkReader, CopiesNothing) {
   const File file = file_of(Kind::kSnapshot, {{kRows, 1, true, File(3, 1)}, {kRows, 1, false, File(5, 2)}});

@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "palpate/firmware/cycle.hpp"
+#include "palpate/tick/profiles.hpp"
 #include "program.hpp"
 #include "scenario/grasp_script.hpp"
 #include "simulation/capacity.hpp"
-#include "simulation/with_profile.hpp"
 #include "support/models.hpp"
 
 namespace palpate::test {
@@ -75,22 +75,21 @@ CycleModel read_back(const sim::Scenario& scenario, uint8_t deepest) {
   return model;
 }
 
-TEST(ModelContainerOfScenario, MovesAsBefore) {
+template <class Profile>
+void expect_motion_as_before() {
   const auto rows = some_rows();
   for (const std::string& name : sim::scenario_names()) {
-    for (const char* profile : {"cuboid-paper", "small"}) {
-      SCOPED_TRACE(name + " in " + profile);
-      const sim::Scenario scenario = complete(name, profile);
-      sim::with_profile(profile, [&](auto which) {
-        using Profile = decltype(which);
-        const CycleModel model = sim::cycle_model(scenario);
-        const CycleModel read = read_back(scenario, Profile::kMaxLevel);
-        expect_same(read, model);
-        EXPECT_EQ(hashes_of<Profile>(read, rows), hashes_of<Profile>(model, rows));
-      });
-    }
+    SCOPED_TRACE(name + " in " + Profile::kName);
+    const sim::Scenario scenario = complete(name, Profile::kName);
+    const CycleModel model = sim::cycle_model(scenario);
+    const CycleModel read = read_back(scenario, Profile::kMaxLevel);
+    expect_same(read, model);
+    EXPECT_EQ(hashes_of<Profile>(read, rows), hashes_of<Profile>(model, rows));
   }
 }
+
+TEST(ModelContainerOfScenario, MovesAsBefore) { expect_motion_as_before<CuboidPaper>(); }
+TEST(ModelContainerOfScenario, MovesAsBeforeOnASmallTarget) { expect_motion_as_before<Small>(); }
 
 /// The comparison above would see another model.
 TEST(ModelContainerOfScenario, AnotherModelMovesOtherwise) {

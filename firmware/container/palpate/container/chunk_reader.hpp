@@ -28,17 +28,20 @@ struct Chunk {
 
 class ChunkReader {
  public:
-  explicit ChunkReader(Bytes file) : file_(file), finding_(Finding::nothing()) {}
+  explicit ChunkReader(Bytes file)
+      : file_(file), finding_(Finding::at(ReadStatus::kNotAContainer, 0, kNoTag, 1, 0)) {}
 
-  /// kDone, or why this is no container of this kind. Constant time.
+  /// kDone, or why this is no container of this kind. Constant time. Again: from the beginning.
   [[nodiscard]] Finding open(Kind kind) {
-    finding_ = check_file_header(kind);
     at_ = kFileHeaderBytes;
+    count_ = 0;
+    seal_ = Crc32c();
+    finding_ = check_file_header(kind);
     return finding_;
   }
 
   /// kDone with the next chunk, END (which is never given) as kEnd, or why there is none. What is not kDone
-  /// stays. O(payload). Only after open() has said kDone.
+  /// stays. O(payload). Nothing before open() has said kDone.
   [[nodiscard]] Finding next(Chunk& chunk) {
     if (!finding_.is_done()) return finding_;
     Header header{};

@@ -117,7 +117,8 @@ class ChunkWriter {
     if (status_ == WriteStatus::kDone) status_ = why;
   }
   void send(Bytes bytes) {
-    if (status_ == WriteStatus::kDone && !sink_(bytes.data, bytes.size)) fail(WriteStatus::kSinkFull);
+    if (status_ != WriteStatus::kDone || bytes.size == 0) return;
+    if (!sink_(bytes.data, bytes.size)) fail(WriteStatus::kSinkFull);
   }
   void send_checked(Bytes bytes) {
     crc_.add(bytes);

@@ -34,6 +34,8 @@ enum class ReadStatus : uint8_t {
 };
 inline constexpr uint32_t kReadStatusCount = 24;
 
+static_assert(static_cast<uint32_t>(ReadStatus::kContradiction) + 1 == kReadStatusCount);
+
 /// For messages, in the order of ReadStatus.
 inline constexpr std::array<const char*, kReadStatusCount> kReadStatusText = {
     "done",
