@@ -133,10 +133,10 @@ TEST(ModelContainerOfScenario, NeedsRoomOnTheDisk) {
 TEST(ModelContainerOfScenario, IsRefusedInWords) {
   std::string text = sim::model_container(complete("grasp", "small"));
   File file(text.begin(), text.end());
-  file[60] ^= 1;
+  file[64] ^= 1;
   const std::string damage = sim::describe(refusal_of(file));
   EXPECT_EQ(damage.rfind("at byte 48 in chunk BLCK: chunk damaged: expected ", 0), 0u) << damage;
-  file[60] ^= 1;
+  file[64] ^= 1;
   file.resize(100);
   EXPECT_EQ(sim::describe(refusal_of(file)), "at byte 48 in chunk BLCK: cut off: expected 88, found 52");
   CycleModel model = sample_model();
