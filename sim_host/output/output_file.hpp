@@ -37,7 +37,7 @@ class OutputFile {
   fmt::memory_buffer text_;
 };
 
-/// A whole text file at once. A regular file appears complete or not at all.
+/// A whole file at once, text or bytes. A regular file appears complete or not at all.
 void write_whole_file(const std::string& path, const std::string& text);
 
 }  // namespace palpate::sim

@@ -193,6 +193,10 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
   model.app()
       ->add_option("--firmware-image", image, "write the model and the script as C++ for the firmware")
       ->option_text("FILE");
+  std::string container;
+  model.app()
+      ->add_option("--container", container, "write the model as a container, which the firmware reads")
+      ->option_text("FILE");
   CLI::App* compare =
       app.add_subcommand("compare", "whether two runs have the same bits; if not, where they part");
   std::string first;
@@ -219,7 +223,7 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
   if (chosen == table1.app()) return make_table1(table1.request());
   if (chosen == paper) return run_paper(report_folder, is_quick);
   if (chosen == compare) return compare_runs(first, second);
-  return describe_model(model.scenario(), image);
+  return describe_model(model.scenario(), image, container);
 }
 
 }  // namespace

@@ -10,8 +10,10 @@ namespace palpate::sim {
 
 /// `run` and `hil`: records a scenario into a run folder.
 int run_scenario(Scenario scenario, const std::string& command);
-/// `model`: prints what a scenario's model is, or writes it as C++ for the firmware when a path is given.
-int describe_model(Scenario scenario, const std::string& firmware_image_path);
+/// `model`: prints what a scenario's model is; or writes it where a path is given, as C++ for the firmware,
+/// as a container, or both.
+int describe_model(Scenario scenario, const std::string& firmware_image_path,
+                   const std::string& container_path);
 /// `paper`: the paper's experiments, with a report in the folder `out`; cut short if `is_quick`.
 int run_paper(const std::string& out, bool is_quick);
 /// `compare`.

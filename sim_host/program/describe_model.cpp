@@ -3,6 +3,7 @@
 #include "output/output_file.hpp"
 #include "program/commands.hpp"
 #include "program/firmware_image.hpp"
+#include "program/model_container.hpp"
 #include "simulation/capacity.hpp"
 #include "stability.hpp"
 
@@ -40,14 +41,13 @@ void print_model(const Scenario& scenario, const Fit& fit) {
 
 }  // namespace
 
-int describe_model(Scenario scenario, const std::string& firmware_image_path) {
+int describe_model(Scenario scenario, const std::string& firmware_image_path,
+                   const std::string& container_path) {
   complete_scenario(scenario);
   const Fit fit = fit_to_profile(scenario);
-  if (firmware_image_path.empty()) {
-    print_model(scenario, fit);
-  } else {
-    write_whole_file(firmware_image_path, firmware_image_source(scenario));
-  }
+  if (firmware_image_path.empty() && container_path.empty()) print_model(scenario, fit);
+  if (!firmware_image_path.empty()) write_whole_file(firmware_image_path, firmware_image_source(scenario));
+  if (!container_path.empty()) write_whole_file(container_path, model_container(scenario));
   return 0;
 }
 

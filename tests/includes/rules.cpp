@@ -31,9 +31,10 @@ const std::vector<Part>& parts() {
       {"core/tick/", {"numeric", "memory", "mesh", "elastic", "remesh", "solve", "touch", "embed", "tick"}},
       {"hal/ports/", {kPlatform, "ports"}},
       {"hal/phantom/", {"numeric", "phantom"}},
+      {"firmware/container/", {"numeric", "container"}},
       {"firmware/cycle/",
        {"numeric", "memory", "mesh", "elastic", "remesh", "solve", "touch", "embed", "tick", "phantom",
-        "firmware"}},
+         "container", "firmware"}},
       {"firmware/link/", {"numeric", "link"}},
       {"firmware/main/", {"numeric", "tick", "firmware", "ports"}},
       {"board/scripted/", {kPlatform, "ports", kImage}},
@@ -152,6 +153,7 @@ Findings check_words(const Source& source) {
 Findings check_loops(const Source& source) {
   Findings findings;
   const bool concerned = starts_with(source.path, "core/") || starts_with(source.path, "hal/") ||
+                         starts_with(source.path, "firmware/container/") ||
                          starts_with(source.path, "firmware/cycle/") ||
                          starts_with(source.path, "firmware/link/");
   if (!concerned) return findings;
@@ -173,6 +175,11 @@ const std::vector<Exception>& exceptions() {
        "kBlendParts, for a compile-time constant"},
       {"core/elastic/palpate/elastic/group_forces.hpp", "for (const uint32_t k : range) {",
        "a range that its caller takes from a BoundedTotal"},
+      {"firmware/container/palpate/container/crc32c.hpp",
+       "for (uint32_t nibble = 0; nibble < 16; ++nibble) {", "make_table, for a compile-time constant"},
+      {"firmware/container/palpate/container/crc32c.hpp",
+       "for (int bit = 0; bit < 4; ++bit) rest = (rest >> 1) ^ ((rest & 1u) != 0 ? kReflected : 0u);",
+       "make_table, for a compile-time constant"},
       {"hal/phantom/palpate/phantom/joint_angles.hpp", "for (std::size_t joint = 0; joint < 3; ++joint) {",
        "make_calibration, for compile-time constants"},
       {"hal/phantom/palpate/phantom/motor_code.hpp", "for (std::size_t joint = 0; joint < 3; ++joint) {",
