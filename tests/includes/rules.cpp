@@ -31,6 +31,7 @@ const std::vector<Part>& parts() {
       {"core/tick/", {"numeric", "memory", "mesh", "elastic", "remesh", "solve", "touch", "embed", "tick"}},
       {"hal/ports/", {kPlatform, "ports"}},
       {"hal/phantom/", {"numeric", "phantom"}},
+      {"firmware/safety/", {"numeric", "phantom", "safety"}},
       {"firmware/cycle/",
        {"numeric", "memory", "mesh", "elastic", "remesh", "solve", "touch", "embed", "tick", "phantom",
         "firmware"}},
@@ -151,6 +152,7 @@ Findings check_words(const Source& source) {
 Findings check_loops(const Source& source) {
   Findings findings;
   const bool concerned = starts_with(source.path, "core/") || starts_with(source.path, "hal/") ||
+                         starts_with(source.path, "firmware/safety/") ||
                          starts_with(source.path, "firmware/cycle/");
   if (!concerned) return findings;
   for (const Loop& loop : find_loops(without_comments_and_literals(source.text))) {
@@ -175,6 +177,8 @@ const std::vector<Exception>& exceptions() {
        "make_calibration, for compile-time constants"},
       {"hal/phantom/palpate/phantom/motor_code.hpp", "for (std::size_t joint = 0; joint < 3; ++joint) {",
        "make_drive, for compile-time constants"},
+      {"firmware/safety/palpate/safety/conditions.hpp", "for (uint32_t i = 0; i < kConditionCount; ++i) {",
+       "conditions_where, for compile-time constants"},
       {"firmware/main/main.cpp", "#include <new>", "declares placement new, which allocates nothing"},
       {"firmware/main/main.cpp", "new (&g_storage.run) Run{};", "placement new on a static object"},
   };
