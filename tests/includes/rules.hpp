@@ -17,15 +17,16 @@ struct Source {
 using Findings = std::vector<std::string>;
 
 /// Who may include whom: numeric, memory <- mesh <- {elastic, remesh, solve, touch, embed} <- tick <-
-/// firmware/cycle; hal/phantom and firmware/container see numeric, hal/ports its platform only, a board the ports. System headers:
-/// platform.hpp only.
+/// firmware/cycle; firmware/safety sees numeric and phantom; hal/phantom, firmware/container and
+/// firmware/link see numeric, hal/ports its platform only, a board the ports. System headers: platform.hpp
+/// only.
 Findings check_includes(const Source& source);
 
 /// No float, no heap, no exceptions, no virtual functions, no containers of the library.
 Findings check_words(const Source& source);
 
-/// Every loop is `for (... : bounded<...>(...))` or `for (... : total.take(...))`, in core, hal,
-/// firmware/container and firmware/cycle.
+/// Every loop is `for (... : bounded<...>(...))` or `for (... : total.take(...))`, in core, hal and firmware,
+/// but not in firmware/main.
 Findings check_loops(const Source& source);
 
 /// What a rule lets pass, and why. `line` is the offending line without its comment and the spaces at its
