@@ -94,7 +94,6 @@ TEST(WarmMotors, AreWatchedOneByOne) {
     WarmMotors motors = make_warm_motors(kLimits);
     Currents currents{kNoCurrent, kNoCurrent, kNoCurrent};
     currents[hot] = -Ampere::ratio(55, 10);
-    ConditionSet seen;
     int tick_of_warm = 0;
     int tick_of_limit = 0;
     for (int tick = 1; tick <= 6000; ++tick) {
