@@ -123,7 +123,7 @@ StudyPoint run_point(const Experiment& experiment, const RunRequest& request, do
 StudyCurve run_curve(const Experiment& experiment, const LoadedBody& body, const Criterion& criterion) {
   constexpr std::size_t kMostPoints = 14;
   const RestSolution& finest = body.uniform.front();
-  const auto half = static_cast<double>(finest.body.tets.size() / 2);
+  const double half = 0.5 * static_cast<double>(finest.body.tets.size());
   StudyCurve curve{criterion.name, {}};
   std::vector<StudyPoint>& points = curve.points;
   const auto add = [&](double threshold) {
@@ -161,6 +161,7 @@ std::vector<LoadStudy> study_criteria(const Experiment& experiment) {
   const std::vector<StudyCurve> curves = in_parallel(
       planned, [&](const auto& one) { return run_curve(experiment, bodies[one.first], one.second); });
   std::vector<LoadStudy> studies;
+  studies.reserve(bodies.size());
   for (const LoadedBody& body : bodies)
     studies.push_back({body.load.name,
                        body.depth.finest_level,

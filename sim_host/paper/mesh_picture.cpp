@@ -16,8 +16,8 @@ constexpr double kMarginMm = 8.0;
 constexpr int kCoarsest = 3;
 constexpr int kFinest = 9;
 // Of the coarsest and the finest level.
-constexpr std::array<double, 3> kCoarse = {250, 246, 238};
-constexpr std::array<double, 3> kFine = {60, 120, 190};
+constexpr std::array<double, 3> kCoarseColour = {250, 246, 238};
+constexpr std::array<double, 3> kFineColour = {60, 120, 190};
 
 /// A triangle of the surface and the tet it belongs to.
 struct Facet {
@@ -110,7 +110,7 @@ class Panel {
     const double part = static_cast<double>(level - kCoarsest) / (kFinest - kCoarsest);
     const double shade = 0.78 + 0.22 * std::max(0.0, dot(normal(facet), kLight));
     const auto channel = [&](std::size_t i) {
-      return static_cast<int>(shade * (kCoarse[i] + part * (kFine[i] - kCoarse[i])));
+      return static_cast<int>(shade * (kCoarseColour[i] + part * (kFineColour[i] - kCoarseColour[i])));
     };
     return fmt::format(
         "set object polygon from {} to {} to {} to {} fc rgb '#{:02x}{:02x}{:02x}' fs solid 1.0 border rgb "

@@ -52,7 +52,7 @@ firmware::CycleModel cycle_model(const Scenario& scenario) {
 }
 
 std::string model_container(const Scenario& scenario) {
-  const std::string file = written(cycle_model(scenario), scenario.name);
+  std::string file = written(cycle_model(scenario), scenario.name);
   const uint8_t deepest =
       with_profile(scenario.profile, [](auto profile) { return decltype(profile)::kMaxLevel; });
   firmware::CycleModel read{};

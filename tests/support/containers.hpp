@@ -10,7 +10,9 @@
 namespace palpate::container {
 
 /// As gtest prints it.
-inline void PrintTo(ReadStatus status, std::ostream* out) { *out << read_status_text(status); }
+inline std::ostream& operator<<(std::ostream& out, ReadStatus status) {
+  return out << read_status_text(status);
+}
 
 }  // namespace palpate::container
 
@@ -96,15 +98,14 @@ inline bool operator==(const Written& a, const Written& b) {
 
 /// Makes the checks of the chunk at `offset` right again, and the file header's where it is 0.
 inline void renew_checks(File& file, uint32_t offset) {
-  using namespace container;
   uint8_t* at = file.data() + offset;
-  put_u32(at + 12, crc32c(Bytes{at, 12}));
+  container::put_u32(at + 12, container::crc32c(container::Bytes{at, 12}));
   if (offset == 0) return;
-  const uint32_t before_check = chunk_bytes(get_u32(at + 8)) - kCheckBytes;
-  Crc32c crc;
-  crc.add(Bytes{at, 12});
-  crc.add(Bytes{at + 16, before_check - 16});
-  put_u32(at + before_check, crc.value());
+  const uint32_t before_check = container::chunk_bytes(container::get_u32(at + 8)) - container::kCheckBytes;
+  container::Crc32c crc;
+  crc.add(container::Bytes{at, 12});
+  crc.add(container::Bytes{at + 16, before_check - 16});
+  container::put_u32(at + before_check, crc.value());
 }
 
 }  // namespace palpate::test
