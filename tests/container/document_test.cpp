@@ -51,9 +51,10 @@ TEST(Document, HasTheChunksOfAModel) {
   const std::string text = read_document();
   for (const container::ChunkRule& rule : firmware::model_detail::kRules) {
     const std::string tag = {rule.tag.at(0), rule.tag.at(1), rule.tag.at(2), rule.tag.at(3)};
-    std::string bytes = std::to_string(rule.most_length);
-    if (rule.least_length != rule.most_length) bytes = std::to_string(rule.least_length) + " to " + bytes;
-    const std::string row = "| `" + tag + "` | " + bytes + " |";
+    std::string row = "| `";
+    row.append(tag).append("` | ").append(std::to_string(rule.least_length));
+    if (rule.least_length != rule.most_length) row.append(" to ").append(std::to_string(rule.most_length));
+    row.append(" |");
     EXPECT_NE(text.find(row), std::string::npos) << row;
   }
 }

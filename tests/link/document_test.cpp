@@ -36,7 +36,7 @@ std::map<std::string, Bytes> example() {
     std::string part;
     words >> message >> part;
     if (message != "sensors" && message != "actuators") continue;
-    Bytes& bytes = lines[message + " " + part];
+    Bytes& bytes = lines[message.append(" ").append(part)];
     for (unsigned value = 0; words >> std::hex >> value;) bytes.push_back(static_cast<uint8_t>(value));
   }
   return lines;

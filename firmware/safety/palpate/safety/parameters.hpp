@@ -76,7 +76,7 @@ struct ThermalLimits {
   Ampere continuous_amperes = Ampere::ratio(phantom::premium::kDriveRatings.current_limit_milliamperes, 1000);
   Q<0, 31> decay_per_tick = Q<0, 31>::ratio(999, 1000);
   /// The whole span in the time of a ramp.
-  Ampere rise_amperes_per_tick = Ampere::ratio(5500 - 1240, 1000 * 2000);
+  Ampere rise_amperes_per_tick = Ampere::ratio(5500 - 1240, int64_t{1000} * 2000);
 };
 
 struct Parameters {
