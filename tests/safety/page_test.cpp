@@ -155,7 +155,8 @@ std::set<Arrow> arrows_of_drawing(const std::string& page) {
 std::string text_of(const std::set<Arrow>& arrows, const std::set<Arrow>& without) {
   std::string text;
   for (const auto& [from, event, to] : arrows) {
-    if (without.count({from, event, to}) == 0) text += "  " + from + " --> " + to + " : " + event + "\n";
+    if (without.count({from, event, to}) != 0) continue;
+    text.append("  ").append(from).append(" --> ").append(to).append(" : ").append(event).append("\n");
   }
   return text;
 }
