@@ -37,7 +37,7 @@ inline constexpr uint32_t kReadStatusCount = 24;
 static_assert(static_cast<uint32_t>(ReadStatus::kContradiction) + 1 == kReadStatusCount);
 
 /// For messages, in the order of ReadStatus.
-inline constexpr std::array<const char*, kReadStatusCount> kReadStatusText = {
+inline constexpr const char* kReadStatusText[kReadStatusCount] = {
     "done",
     "whole",
     "cut off",
