@@ -107,7 +107,7 @@ TEST(ModelContainerOfScenario, AnotherModelMovesOtherwise) {
 TEST(ModelContainerOfScenario, IsWrittenByTheProgram) {
   const TemporaryFolder folder;
   for (const std::string& name : sim::scenario_names()) {
-    const Outcome outcome = run_program(folder, "model " + name + " --container " + name);
+    const Outcome outcome = run_program(folder, fmt::format("model {0} --container {0}", name));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(read_text(folder / name), sim::model_container(complete(name, "cuboid-paper")));
