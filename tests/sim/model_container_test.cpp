@@ -2,6 +2,7 @@
 // writes such files and refuses what it cannot write.
 #include "program/model_container.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <memory>
