@@ -26,6 +26,7 @@ struct TestProfile {
   static constexpr uint32_t kTetsMerged = 32;
   static constexpr uint32_t kRotationChanges = 64;
   static constexpr uint16_t kTethers = 64;
+  static constexpr uint32_t kContactCandidates = 64;
 };
 
 /// A profile with a group for every leaf, as full corotation needs.

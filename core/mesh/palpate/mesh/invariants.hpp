@@ -24,26 +24,26 @@ enum class Violation : uint8_t {
 namespace invariants_detail {
 
 /// g_k of the leaf at rest, one axis, in lattice steps.
-inline int32_t rest_edge(const std::array<LatticePoint, 4>& w, TetType type, uint32_t k, uint32_t axis) {
+template <class Profile>
+int32_t rest_edge(const Forest<Profile>& forest, const Leaf& leaf, uint32_t k, uint32_t axis) {
   int32_t sum = 0;
   for (const uint32_t i : bounded<4>(4, [] {})) {
-    const int32_t coordinate = axis == 0 ? w[i].x : axis == 1 ? w[i].y : w[i].z;
-    sum += kEdgeCoefficients[static_cast<uint32_t>(type)][k][i] * coordinate;
+    const LatticePoint& w = forest.node.rest[leaf.node[i]];
+    const int32_t coordinate = axis == 0 ? w.x : axis == 1 ? w.y : w.z;
+    sum += kEdgeCoefficients[static_cast<uint32_t>(type_of_level(leaf.level))][k][i] * coordinate;
   }
   return sum;
 }
 
 template <class Profile>
 bool has_its_shape(const Forest<Profile>& forest, const Leaf& leaf) {
-  const std::array<LatticePoint, 4> w = {forest.node.rest[leaf.node[0]], forest.node.rest[leaf.node[1]],
-                                         forest.node.rest[leaf.node[2]], forest.node.rest[leaf.node[3]]};
   const int32_t h = kLatticeStepsPerEdge >> size_of_level(leaf.level);
   bool right = true;
   for (const uint32_t k : bounded<3>(3, [] {})) {
     for (const uint32_t axis : bounded<3>(3, [] {})) {
       const int32_t along = leaf.axes.is_negative(k) ? -h : h;
       const int32_t expected = leaf.axes.axis(k) == axis ? along : 0;
-      right = right && rest_edge(w, type_of_level(leaf.level), k, axis) == expected;
+      right = right && rest_edge(forest, leaf, k, axis) == expected;
     }
   }
   return right;
@@ -79,14 +79,14 @@ inline bool shares_face(const Leaf& leaf, uint32_t face, const Leaf& other) {
 template <class Profile>
 bool is_on_surface(const Forest<Profile>& forest, const Block& block, const Leaf& leaf, uint32_t face) {
   const LatticePoint corner = block.corner(0, 0, 0);
-  const LatticePoint top = forest.node.rest[leaf.node[face]];
+  const LatticePoint& top = forest.node.rest[leaf.node[face]];
   const int32_t apex[3] = {top.x - corner.x, top.y - corner.y, top.z - corner.z};
   int32_t sum[3] = {0, 0, 0};
   int32_t low[3] = {0x7fff, 0x7fff, 0x7fff};
   int32_t high[3] = {-0x7fff, -0x7fff, -0x7fff};
   for (const uint32_t i : bounded<4>(4, [] {})) {
     if (i == face) continue;
-    const LatticePoint p = forest.node.rest[leaf.node[i]];
+    const LatticePoint& p = forest.node.rest[leaf.node[i]];
     const int32_t at[3] = {p.x - corner.x, p.y - corner.y, p.z - corner.z};
     for (const uint32_t axis : bounded<3>(3, [] {})) {
       sum[axis] += at[axis];

@@ -44,7 +44,8 @@ EdgeEnds restored_edge(const Forest<Profile>& forest, uint16_t parent) {
 /// vertex.
 inline uint32_t exit_around_edge(const Leaf& leaf, uint16_t end0, uint16_t end1, uint32_t entry_face) {
   constexpr uint32_t kSumOfPlaces = 0 + 1 + 2 + 3;
-  return kSumOfPlaces - place_of_node(leaf, end0) - place_of_node(leaf, end1) - entry_face;
+  constexpr uint32_t kAPlace = 3;  // for a broken mesh, until it is found to be one
+  return (kSumOfPlaces - place_of_node(leaf, end0) - place_of_node(leaf, end1) - entry_face) & kAPlace;
 }
 
 /// Collects into patch.tet the leaves around the edge (end0, end1) of leaf tet `start`, which has it between
@@ -70,11 +71,12 @@ template <class Profile, class Accepts>
       continue;
     }
     const Leaf& leaf = forest.leaf_of(next);
-    if (!accepts(leaf)) {
+    const bool is_full = patch.count == kMaxPatch;
+    check(!is_full || !accepts(leaf), "a patch has more than kMaxPatch tets");
+    if (is_full || !accepts(leaf)) {
       patch.blocker = next;
       return MeshStatus::kNotReady;
     }
-    check(patch.count < kMaxPatch, "a patch has more than kMaxPatch tets");
     patch.tet[patch.count] = next;
     ++patch.count;
     exit = exit_around_edge(leaf, end0, end1, face_towards(leaf, from));

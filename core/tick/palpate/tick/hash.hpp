@@ -77,6 +77,21 @@ inline void add_rotation(const Quaternion& q, StateHash& hash) {
   hash.add(q.z);
 }
 
+/// What the next tick's contact starts from.
+inline void add_contact(const Contact& contact, StateHash& hash) {
+  hash.add(contact.proxy);
+  hash.add(contact.stretch);
+  hash.add(contact.anchor);
+  hash.add(contact.normal);
+  hash.add(contact.force);
+  hash.add(contact.load.count | (contact.is_touching ? 1u << 8 : 0u) | (contact.is_certain ? 1u << 9 : 0u) |
+           (contact.is_present ? 1u << 10 : 0u));
+  for (const uint32_t i : bounded<Load::kMost>(contact.load.count, [] {})) {
+    hash.add(uint32_t{contact.load.node[i]});
+    hash.add(contact.load.weight[i]);
+  }
+}
+
 }  // namespace hash_detail
 
 template <class Profile>
@@ -86,6 +101,8 @@ void add_stage(const State<Profile>& state, const TickOutput& output, CoreStage 
       hash.add(uint32_t{state.grasp.node.index} | uint32_t{state.grasp.node.generation} << 16);
       hash.add(state.grasp.offset);
       hash.add(state.driven.target);
+      // A body without contact has the hashes that it had before there was any.
+      if (state.model.contact.is_on()) hash_detail::add_contact(state.contact, hash);
       break;
     case CoreStage::kRemesh:
       hash_detail::add_mesh(state.forest, hash);
@@ -115,6 +132,10 @@ void add_stage(const State<Profile>& state, const TickOutput& output, CoreStage 
     case CoreStage::kReaction:
       hash.add(output.reaction);
       hash.add(output.flags);
+      if (state.model.contact.is_on()) {
+        hash.add(state.reaction.force);
+        hash.add(static_cast<uint64_t>(state.reaction.passivity.energy.raw()));
+      }
       break;
   }
 }

@@ -6,6 +6,7 @@
 #include "palpate/elastic/material.hpp"
 #include "palpate/remesh/rules.hpp"
 #include "palpate/solve/integrate.hpp"
+#include "palpate/touch/contact_rules.hpp"
 
 namespace palpate {
 
@@ -18,6 +19,7 @@ struct Model {
   RemeshRules remesh;
   HeldRegions held;      // both empty: a free body
   Position grasp_reach;  // 0 .. 4 edges
+  ContactRules contact;
 };
 
 }  // namespace palpate

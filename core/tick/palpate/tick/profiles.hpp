@@ -6,6 +6,7 @@
 //   kPatches                   bisected, and merged, a tick; kTetsSplit and kTetsMerged tets in them
 //   kRotationChanges           groups split or begun to be joined a tick
 //   kTethers                   nodes that are being released or drawn at a time
+//   kContactCandidates         faces near the tool that a tick looks at closely
 #pragma once
 
 #include "palpate/numeric/platform.hpp"
@@ -24,6 +25,7 @@ struct CuboidPaper {
   static constexpr uint32_t kTetsMerged = 8;
   static constexpr uint32_t kRotationChanges = 8;
   static constexpr uint16_t kTethers = 32;
+  static constexpr uint32_t kContactCandidates = 64;
 };
 
 /// The same bar as heavy as tissue, with room for finer levels where it is touched.
@@ -38,6 +40,7 @@ struct CuboidDense {
   static constexpr uint32_t kTetsMerged = 16;
   static constexpr uint32_t kRotationChanges = 32;
   static constexpr uint16_t kTethers = 64;
+  static constexpr uint32_t kContactCandidates = 64;
 };
 
 struct Organ {
@@ -51,6 +54,7 @@ struct Organ {
   static constexpr uint32_t kTetsMerged = 16;
   static constexpr uint32_t kRotationChanges = 16;
   static constexpr uint16_t kTethers = 64;
+  static constexpr uint32_t kContactCandidates = 64;
 };
 
 /// For a Cortex-M4.
@@ -65,6 +69,7 @@ struct Small {
   static constexpr uint32_t kTetsMerged = 8;
   static constexpr uint32_t kRotationChanges = 8;
   static constexpr uint16_t kTethers = 16;
+  static constexpr uint32_t kContactCandidates = 24;
 };
 
 /// Host only: deep or large meshes, and full corotation, for studies and tests.
@@ -79,6 +84,7 @@ struct Workstation {
   static constexpr uint32_t kTetsMerged = 128;
   static constexpr uint32_t kRotationChanges = 256;
   static constexpr uint16_t kTethers = 1000;
+  static constexpr uint32_t kContactCandidates = 256;
 };
 
 }  // namespace palpate

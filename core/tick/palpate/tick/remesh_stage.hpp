@@ -123,6 +123,17 @@ struct SolvedNodes {
   }
 };
 
+/// And the contact of the tool, which must not lose a node that it acts on.
+template <class Profile>
+struct TouchedNodes : SolvedNodes<Profile> {
+  Load& load;
+
+  void before_removal(uint16_t node, const std::array<uint16_t, 2>& ends) {
+    move_load(load, node, ends);
+    SolvedNodes<Profile>::before_removal(node, ends);
+  }
+};
+
 /// Changes of both fronts for one tick. The rotation front comes first: its lists are of the mesh as it is.
 template <class Profile>
 void change_fronts(State<Profile>& state) {
@@ -132,10 +143,10 @@ void change_fronts(State<Profile>& state) {
   RotationChanges<Profile, GroupRotations<Profile>> rotation_changes(state.forest, state.front,
                                                                      rules.rotation, rotations, state.remesh);
   state.waiting = rotation_changes.run(changed);
-  SolvedNodes<Profile> nodes{state.forest, state.solve, state.model};
-  MeshChanges<Profile, SolvedNodes<Profile>> mesh_changes(state.forest, state.front, state.tethers,
-                                                          state.urgencies, rules.stretch, state.driven.node,
-                                                          nodes, state.remesh);
+  TouchedNodes<Profile> nodes{{state.forest, state.solve, state.model}, state.contact.load};
+  MeshChanges<Profile, TouchedNodes<Profile>> mesh_changes(state.forest, state.front, state.tethers,
+                                                           state.urgencies, rules.stretch, state.driven.node,
+                                                           nodes, state.remesh);
   state.waiting |= mesh_changes.run(changed);
   if (changed) index_groups(state.forest, state.front);
 }

@@ -27,6 +27,8 @@ Status start(State<Profile>& state, const Model& model) {
   state.model = model;
   state.grasp = Grasp::open();
   state.driven = DrivenNode{kNone, zero_vector<Position>()};
+  state.contact.clear();
+  state.reaction = Reaction::none();
   state.clamps = ClampCounters{0, 0, 0};
   state.tick = 0;
   const Status levels = start_detail::check_levels(model.remesh.stretch, model.level, Profile::kMaxLevel);

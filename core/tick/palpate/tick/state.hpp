@@ -7,7 +7,9 @@
 #include "palpate/remesh/urgency.hpp"
 #include "palpate/solve/tether_force.hpp"
 #include "palpate/tick/model.hpp"
+#include "palpate/touch/contact.hpp"
 #include "palpate/touch/grasp.hpp"
+#include "palpate/touch/reaction.hpp"
 
 namespace palpate {
 
@@ -24,17 +26,22 @@ enum class TickFlag : uint32_t {
   kNodesFull = 1u << 7,
   kGroupsFull = 1u << 8,
   kTethersFull = 1u << 9,
+  kTouching = 1u << 10,
+  kContactsFull = 1u << 11,  // more faces of the surface within the tool than the profile looks at
+  kBraking = 1u << 12,       // the passivity controller takes energy out
 };
 
 struct TickInput {
   Vector3<Position> tool;  // in the body's frame, cube edges
   bool close_grasp;
   HoldMotions hold_motion;  // where the held regions are at the end of this tick
+  bool has_tool = true;     // without one `tool` counts for nothing and no grasp holds
 };
 
 struct TickOutput {
-  Vector3<Force> reaction;  // what the tissue does to the tool, E_ref edge^2; zero without a grasp
-  uint32_t flags;           // TickFlag bits
+  Vector3<Force>
+      reaction;    // what the tissue does to the tool, E_ref edge^2; zero without a grasp or a contact
+  uint32_t flags;  // TickFlag bits
 };
 
 template <class Profile>
@@ -51,6 +58,9 @@ struct State {
   SolveState<Profile> solve;
   Grasp grasp;
   DrivenNode driven;
+  Candidates<Profile> candidates;  // scratch
+  Contact contact;
+  Reaction reaction;
   ClampCounters clamps;  // since start
   uint32_t tick;
 };

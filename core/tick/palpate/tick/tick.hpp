@@ -1,12 +1,14 @@
 // One tick: 1 ms of soft tissue.
 //
-//   touch      grasp the nearest node, or let go; the held node's target follows the tool
+//   touch      grasp the nearest node, or let go; the held node's target follows the tool; without a grasp
+//              the tool's contact with the surface
 //   remesh     changes of the rotation front and of the mesh, within the profile's budgets
 //   rotations  one extraction step a group, and one blending step
 //   forces     corotated forces of all leaves; the last evaluation    } once a
 //              also sees what the next remesh and rotations need      } substep
-//   integrate  tethers, then one step of symplectic Euler             }
-//   reaction   what the tissue does to the tool: the force on the driven node in the last substep
+//   integrate  the contact's force and tethers, then one step of symplectic Euler             }
+//   reaction   what the tissue does to the tool: the force on the driven node in the last substep, or the
+//              contact's after its passivity controller
 //
 // A probe sees enter and leave of every stage; it may read a clock, and nothing it sees enters the state.
 // The same state and input give the same bits on every machine.
@@ -18,14 +20,29 @@
 namespace palpate {
 namespace tick_stages {
 
+/// A tool that holds on to a node does not touch the surface beside it.
+template <class Profile>
+void touch_surface(State<Profile>& state, const Vector3<Position>& tool, bool has_tool) {
+  if (!state.model.contact.is_on()) return;
+  if (state.grasp.holds() || !has_tool) {
+    state.contact.clear();
+    return;
+  }
+  ContactStep<Profile>(state.forest, state.model.contact, state.candidates, state.contact).run(tool);
+}
+
 template <class Profile>
 PALPATE_NOINLINE void touch(State<Profile>& state, const TickInput& input) {
   const Vector3<Position> tool = within_position_limit(input.tool);
-  update_grasp(state.forest, tool, input.close_grasp, state.model.grasp_reach, state.grasp);
+  const bool was_held = state.grasp.holds();
+  update_grasp(state.forest, tool, input.close_grasp && input.has_tool, state.model.grasp_reach, state.grasp);
   state.driven.node = state.grasp.node.index;
   // Each within +-4 and +-8 edges: the sum fits Position.
-  const Vector3<Position> target = tool + state.grasp.offset;
-  state.driven.target = within_position_limit(target);
+  const Vector3<Position> goal = tool + state.grasp.offset;
+  const Vector3<Position> target = within_position_limit(goal);
+  const bool is_eased = state.model.contact.is_on() && was_held;
+  state.driven.target = is_eased ? eased(state.driven.target, target) : target;
+  touch_surface(state, tool, input.has_tool);
 }
 
 template <class Profile>
@@ -47,6 +64,7 @@ PALPATE_NOINLINE void forces(State<Profile>& state) {
 template <class Profile>
 PALPATE_NOINLINE void integrate(State<Profile>& state, const TickInput& input, uint32_t remaining) {
   const Dynamics& dynamics = state.model.dynamics;
+  add_load(state.forest, state.contact.load, state.contact.force);
   add_tether_forces(state.forest, state.solve, state.tethers, dynamics.substeps, remaining,
                     state.driven.node);
   integrate_substep(state.forest, dynamics, input.hold_motion, state.driven, remaining, state.solve,
@@ -63,9 +81,15 @@ inline uint32_t waiting_flags(uint32_t waiting) {
 }
 
 template <class Profile>
-PALPATE_NOINLINE void reaction(const State<Profile>& state, const ClampCounters& before, TickOutput& output) {
-  output.reaction = zero_vector<Force>();
-  if (state.grasp.holds()) output.reaction = state.forest.node.force[state.grasp.node.index];
+PALPATE_NOINLINE void reaction(State<Profile>& state, const TickInput& input, const ClampCounters& before,
+                               TickOutput& output) {
+  const Vector3<Force> asked =
+      state.grasp.holds() ? state.forest.node.force[state.grasp.node.index] : state.contact.force;
+  output.reaction = asked;
+  if (state.model.contact.is_on()) {
+    output.reaction =
+        react(state.model.contact, asked, within_position_limit(input.tool), input.has_tool, state.reaction);
+  }
   const auto flag = [&output](bool set, TickFlag which) {
     output.flags |= set ? static_cast<uint32_t>(which) : 0u;
   };
@@ -74,6 +98,9 @@ PALPATE_NOINLINE void reaction(const State<Profile>& state, const ClampCounters&
   flag(state.clamps.position != before.position, TickFlag::kPositionClamped);
   flag(state.clamps.strain != before.strain, TickFlag::kStrainClamped);
   flag(state.grasp.holds(), TickFlag::kGrasping);
+  flag(state.contact.is_touching, TickFlag::kTouching);
+  flag(!state.contact.is_certain, TickFlag::kContactsFull);
+  flag(state.reaction.passivity.is_braking, TickFlag::kBraking);
 }
 
 }  // namespace tick_stages
@@ -103,7 +130,7 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
       [&](uint32_t remaining) {
         stage(CoreStage::kIntegrate, [&] { tick_stages::integrate(state, input, remaining); });
       });
-  stage(CoreStage::kReaction, [&] { tick_stages::reaction(state, before, output); });
+  stage(CoreStage::kReaction, [&] { tick_stages::reaction(state, input, before, output); });
   ++state.tick;
 }
 

@@ -48,4 +48,16 @@ void update_grasp(const Forest<Profile>& forest, const Vector3<Position>& tool, 
   grasp.offset = forest.node.position[node] - tool;
 }
 
+/// Where the grasped node is drawn to in a tool that touches: in each tick an eighth of the way from `before`
+/// to `target`. A node that follows every encoder count at once pulls with its whole own stiffness, some 1000
+/// times the body's: a count of 0.03 mm would be felt as 0.2 N. Rounded to nearest.
+inline Vector3<Position> eased(const Vector3<Position>& before, const Vector3<Position>& target) {
+  constexpr int kShift = 3;
+  const auto along = [&](Eigen::Index axis) {
+    const int64_t way = int64_t{target[axis].raw()} - before[axis].raw();
+    return Position::from_raw(before[axis].raw() + static_cast<int32_t>(shift_right_rounded(way, kShift)));
+  };
+  return Vector3<Position>(along(0), along(1), along(2));
+}
+
 }  // namespace palpate

@@ -1,0 +1,40 @@
+// What of the body's force reaches the tool: never more than force_limit, passive as far as the controller
+// can make it, and never another one by more than slew from tick to tick. A grasp's force and a contact's go
+// the same way, so neither a grasp that closes nor one that lets go is a step, and the controller's braking
+// is none either: what it may not take out in one tick stays in the observer's energy.
+#pragma once
+
+#include "palpate/touch/contact_rules.hpp"
+
+namespace palpate {
+
+struct Reaction {
+  Vector3<Force> force;    // on the tool, in the last tick
+  Vector3<Position> tool;  // in the last tick, if there was one
+  bool had_tool;
+  Passivity passivity;
+
+  static Reaction none() {
+    return Reaction{zero_vector<Force>(), zero_vector<Position>(), false, Passivity::at_rest()};
+  }
+};
+
+/// Once a tick. `asked`: any force; a component beyond 16 counts as 16. Two roots and some 25 multiplies.
+inline Vector3<Force> react(const ContactRules& rules, const Vector3<Force>& asked,
+                            const Vector3<Position>& tool, bool has_tool, Reaction& reaction) {
+  constexpr Force kMost = Force::ratio(16, 1);
+  const Vector3<Force> sane(clamp(asked[0], -kMost, kMost), clamp(asked[1], -kMost, kMost),
+                            clamp(asked[2], -kMost, kMost));
+  const Vector3<Force> wanted = limited_to(sane, rules.force_limit);
+  const bool is_moving = has_tool && reaction.had_tool;
+  const Vector3<Position> moved =
+      is_moving ? Vector3<Position>(tool - reaction.tool) : zero_vector<Position>();
+  const Vector3<Force> passive = made_passive(rules.passivity, wanted, moved, reaction.passivity);
+  reaction.force += limited_to(Vector3<Force>(passive - reaction.force), rules.slew);
+  observe(rules.passivity, reaction.force, moved, reaction.passivity);
+  reaction.tool = tool;
+  reaction.had_tool = has_tool;
+  return reaction.force;
+}
+
+}  // namespace palpate

@@ -1,0 +1,178 @@
+// The surface of the organ: the faces of leaves without a neighbour. Where it is near a point is found anew
+// in every tick, so nothing has to survive a change of the mesh: a face that is split or merged is seen as it
+// is in the same tick, and a tool that arrives, however fast, is seen in the tick in which it is within the
+// range.
+//
+//   find_candidates   one look at all leaves; keeps the faces whose box is near the tool, at most
+//                     Profile::kContactCandidates of them
+//   nearest_surface   the closest point on the candidates, exactly
+//
+// When more faces are in range than there is room for, the range shrinks until the nearest ones fit; `range`
+// is what it ended at, and every face of the surface within it is among the candidates.
+#pragma once
+
+#include "palpate/mesh/forest.hpp"
+#include "palpate/touch/triangle.hpp"
+
+namespace palpate {
+
+/// Nodes of a face, counterclockwise as seen from outside.
+using FaceNodes = std::array<uint16_t, 3>;
+
+/// Whether g1, g2, g3 of a leaf are a left-handed system at rest.
+inline bool is_mirrored(Axes axes) {
+  const bool odd = (axes.axis(0) + 1) % 3 != axes.axis(1);
+  return (odd != axes.is_negative(0)) != (axes.is_negative(1) != axes.is_negative(2));
+}
+
+/// The face opposite w_face. What is outside follows from the rest shape, so a tet that is inside out does
+/// not turn it.
+inline FaceNodes face_nodes(const Leaf& leaf, uint32_t face) {
+  constexpr uint8_t kPlaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  const uint8_t* place = kPlaces[face];
+  const bool swap = is_mirrored(leaf.axes);
+  return FaceNodes{leaf.node[place[0]], leaf.node[place[swap ? 2 : 1]], leaf.node[place[swap ? 1 : 2]]};
+}
+
+struct Candidate {
+  FaceNodes node;
+  Position bound;  // the face is at least this far from where the search was
+};
+
+template <class Profile>
+struct Candidates {
+  static constexpr uint32_t kMost = Profile::kContactCandidates;
+  uint32_t count;
+  Position range;
+  std::array<Candidate, kMost> face;
+};
+
+namespace surface_detail {
+
+/// Distance to the box around a triangle in the maximum norm: never more than that to the triangle.
+inline Position distance_to_box(const Vector3<Position>& a, const Vector3<Position>& b,
+                                const Vector3<Position>& c, const Vector3<Position>& x) {
+  Position most = Position::from_raw(0);
+  for (const uint32_t i : bounded<3>(3, [] {})) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const Position low_ab = a[axis] < b[axis] ? a[axis] : b[axis];
+    const Position high_ab = a[axis] < b[axis] ? b[axis] : a[axis];
+    const Position low = (c[axis] < low_ab ? c[axis] : low_ab) - x[axis];
+    const Position high = x[axis] - (c[axis] > high_ab ? c[axis] : high_ab);
+    most = low > most ? low : most;
+    most = high > most ? high : most;
+  }
+  return most;
+}
+
+inline constexpr uint32_t kTightenings = 16;
+
+/// Lowers the range by a quarter at least, but not below the nearest candidate's bound, and drops what is
+/// beyond: one at least, unless all are equally near.
+template <class Profile>
+void tighten(Candidates<Profile>& found) {
+  constexpr uint32_t kMost = Candidates<Profile>::kMost;
+  Position low = found.face[0].bound;
+  Position high = low;
+  for (const uint32_t i : bounded<kMost>(found.count, [] {})) {
+    const Position bound = found.face[i].bound;
+    low = bound < low ? bound : low;
+    high = bound > high ? bound : high;
+  }
+  const Position middle = Position::from_raw(low.raw() + (high.raw() - low.raw()) / 2);
+  const Position less = Position::from_raw(found.range.raw() - found.range.raw() / 4);
+  const Position wanted = middle < less ? middle : less;
+  const Position kept_range = wanted > low ? wanted : low;
+  found.range = kept_range < found.range ? kept_range : found.range;
+  uint32_t kept = 0;
+  for (const uint32_t i : bounded<kMost>(found.count, [] {})) {
+    if (found.face[i].bound > found.range) continue;
+    found.face[kept] = found.face[i];
+    ++kept;
+  }
+  found.count = kept;
+}
+
+template <class Profile, class Total>
+void offer(const FaceNodes& node, Position bound, Total& tightenings, Candidates<Profile>& found) {
+  const bool is_full = found.count == Candidates<Profile>::kMost;
+  const uint32_t wanted = is_full && tightenings.left() > 0 ? 1 : 0;
+  for ([[maybe_unused]] const uint32_t i : tightenings.take(0, wanted)) tighten(found);
+  if (bound > found.range) return;
+  if (found.count == Candidates<Profile>::kMost) {
+    // No room for it: the range ends before it.
+    found.range = bound - Position::from_raw(1);
+    return;
+  }
+  found.face[found.count] = Candidate{node, bound};
+  ++found.count;
+}
+
+}  // namespace surface_detail
+
+/// All faces of the surface within `range` of `centre` in the maximum norm, both within +-5 edges. O(leaves):
+/// a test of four neighbours each, 9 differences for each face of the surface, and at most 16 times a pass
+/// over the candidates when they do not all fit.
+template <class Profile>
+void find_candidates(const Forest<Profile>& forest, const Vector3<Position>& centre, Position range,
+                     Candidates<Profile>& found) {
+  found.count = 0;
+  found.range = range;
+  const auto& x = forest.node.position;
+  auto tightenings = bounded_total<surface_detail::kTightenings>([] {});
+  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
+    const Leaf& leaf = forest.leaf[i];
+    for (const uint32_t face : bounded<4>(4, [] {})) {
+      if (leaf.neighbour[face] != kNone) continue;
+      const FaceNodes node = face_nodes(leaf, face);
+      const Position bound = surface_detail::distance_to_box(x[node[0]], x[node[1]], x[node[2]], centre);
+      if (bound <= found.range) surface_detail::offer(node, bound, tightenings, found);
+    }
+  }
+}
+
+struct SurfacePoint {
+  FaceNodes node;
+  Weights weight;
+  Vector3<Position> point;
+  Direction normal;   // from the surface to x outside of it; zero where that is not known
+  Position distance;  // of x, negative inside
+};
+
+/// The point of the candidates closest to x; false when there are none. x is inside when it is straight
+/// behind the face it is closest to; beside an edge or a vertex it counts as outside, where a tool is that
+/// comes from outside. Of equally close ones the first is taken. Cost: closest_on_triangle a candidate.
+template <class Profile>
+[[nodiscard]] bool nearest_surface(const Forest<Profile>& forest, const Candidates<Profile>& candidates,
+                                   const Vector3<Position>& x, SurfacePoint& nearest) {
+  if (candidates.count == 0) return false;
+  const auto& position = forest.node.position;
+  auto least = Acc<2 * Position::kFractionBits>::from_raw(std::numeric_limits<int64_t>::max());
+  bool is_inner = false;
+  for (const uint32_t i : bounded<Candidates<Profile>::kMost>(candidates.count, [] {})) {
+    const FaceNodes& node = candidates.face[i].node;
+    const TrianglePoint closest =
+        closest_on_triangle(position[node[0]], position[node[1]], position[node[2]], x);
+    const auto square = square_of(Vector3<Position>(x - closest.point));
+    if (square >= least) continue;
+    least = square;
+    is_inner = closest.is_inner;
+    nearest.node = node;
+    nearest.weight = closest.weight;
+    nearest.point = closest.point;
+  }
+  // Nearer than this (60 nm at 64 mm) the direction is the rounding's.
+  constexpr auto kOn = Acc<2 * Position::kFractionBits>::from_raw(int64_t{1} << 14);
+  const Vector3<Position> d = x - nearest.point;
+  const FaceNodes& node = nearest.node;
+  const Direction face = triangle_normal(position[node[0]], position[node[1]], position[node[2]]);
+  const bool is_on = least < kOn;
+  const bool is_behind = is_inner && dot(d, face).raw() < 0;
+  const Direction outwards = direction_of(d);
+  const Position length = component_along(d, outwards);
+  nearest.normal = is_on ? face : is_behind ? Direction(-outwards) : outwards;
+  nearest.distance = is_behind ? -length : length;
+  return true;
+}
+
+}  // namespace palpate
