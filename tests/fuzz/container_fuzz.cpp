@@ -8,6 +8,7 @@
 #include "palpate/firmware/cycle.hpp"
 #include "palpate/tick/profiles.hpp"
 #include "support/containers.hpp"
+#include "support/repair.hpp"
 #include "support/sample_model.hpp"
 
 namespace palpate::test {
@@ -58,28 +59,6 @@ void examine_model(const File& file, bool starts) {
   firmware::Actuators actuators{};
   for (const int32_t count : {0, 300})
     firmware::cycle(*kState, {{count, count, -count}, true}, actuators, probe);
-}
-
-/// Right checks wherever there is a chunk, and a seal that fits.
-void repair(File& file) {
-  if (file.size() < kFileHeaderBytes) return;
-  renew_checks(file, 0);
-  container::Crc32c seal;
-  seal.add_u32(container::get_u32(file.data() + 12));
-  uint32_t at = kFileHeaderBytes;
-  for (uint32_t count = 0; file.size() - at >= kChunkHeaderBytes; ++count) {
-    uint8_t* chunk = file.data() + at;
-    const uint32_t length = container::get_u32(chunk + 8);
-    container::put_u32(chunk + 12, container::crc32c(Bytes{chunk, 12}));
-    if (length > container::kMostPayloadBytes || file.size() - at < container::chunk_bytes(length)) return;
-    if (Tag{container::get_u32(chunk)} == container::kEndTag && length >= container::kEndPayloadBytes) {
-      container::put_u32(chunk + kChunkHeaderBytes, count);
-      container::put_u32(chunk + kChunkHeaderBytes + 4, seal.value());
-    }
-    renew_checks(file, at);
-    at += container::chunk_bytes(length);
-    seal.add_u32(container::get_u32(file.data() + at - container::kCheckBytes));
-  }
 }
 
 /// The sample model with other bytes: triples of a place, two bytes, and what is added there.

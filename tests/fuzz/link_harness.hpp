@@ -13,6 +13,11 @@ bool is_one_encoding(const link::Frame& frame) {
   return link::decode(frame, message) != link::DecodeStatus::kDone || link::encode(message) == frame.payload;
 }
 
+template <class... Messages>
+bool are_one_encoding(const link::Frame& frame) {
+  return (is_one_encoding<Messages>(frame) && ...);
+}
+
 /// Bytes other than 0: each is in an accepted frame, discarded, or in the piece that has not ended.
 inline bool are_all_bytes_counted(const Bytes& stream, const link::ReaderCounters& counters) {
   const auto is_nonzero = [](uint8_t byte) { return byte != 0; };
@@ -29,8 +34,9 @@ inline bool reads_rightly(const uint8_t* script, std::size_t size) {
   const Reading reading = read_on(reader, stream);
   bool holds = is_same(reading, reference_read(stream)) && are_all_bytes_counted(stream, reading.counters);
   for (const link::Frame& frame : reading.frames) {
-    holds = holds && is_one_encoding<link::SensorsMessage>(frame) &&
-            is_one_encoding<link::ActuatorsMessage>(frame);
+    holds = holds && are_one_encoding<link::SensorsMessage, link::ActuatorsMessage, link::CommandMessage,
+                                      link::TelemetryMessage, link::StageCyclesMessage, link::CountersMessage,
+                                      link::MotorsMessage, link::InputsMessage>(frame);
   }
   link::FrameWriter writer;
   const Reading after = read_on(reader, written(writer, link::MessageType::kActuators, link::Payload{}));

@@ -45,7 +45,8 @@ inline Bytes wire_bytes(Script& script, link::FrameWriter& writer) {
     }
     case 4: {  // a header of any kind
       Bytes header = script.bytes(link::kHeaderSize);
-      for (std::size_t i = 0; i < 2; ++i) header[i] = static_cast<uint8_t>(header[i] % 4u);
+      header[0] = static_cast<uint8_t>(header[0] % 4u);
+      header[1] = static_cast<uint8_t>(header[1] % 10u);
       Bytes body(link::kBodySize, step);
       std::copy(header.begin(), header.end(), body.begin());
       return between_zeros(reference_piece(body));
@@ -56,10 +57,10 @@ inline Bytes wire_bytes(Script& script, link::FrameWriter& writer) {
       return frame;
     }
     default: {
+      const auto type = static_cast<link::MessageType>(1 + script.byte() % 7u);
       link::Payload payload{};
       for (uint8_t& one : payload) one = script.byte();
-      return written(writer, step % 8u == 6 ? link::MessageType::kSensors : link::MessageType::kActuators,
-                     payload);
+      return written(writer, type, payload);
     }
   }
 }

@@ -90,9 +90,11 @@ inline void append(Bytes& stream, const Bytes& more) {
   stream.insert(stream.end(), more.begin(), more.end());
 }
 
-inline void count_sequence(const Reading& reading, uint16_t sequence, link::ReaderCounters& counters) {
-  if (reading.frames.empty()) return;
-  const uint32_t ahead = (sequence + 65535u - reading.frames.back().sequence) % 65536u;
+inline void count_sequence(const Reading& reading, const link::Frame& next, link::ReaderCounters& counters) {
+  const auto last = std::find_if(reading.frames.rbegin(), reading.frames.rend(),
+                                 [&next](const link::Frame& frame) { return frame.type == next.type; });
+  if (last == reading.frames.rend()) return;
+  const uint32_t ahead = (next.sequence + 65535u - last->sequence) % 65536u;
   if (ahead < 32768) {
     counters.lost_frames += ahead;
   } else {
@@ -109,7 +111,7 @@ inline uint32_t& reference_verdict(const Bytes& piece, Bytes& body, link::Reader
   if (!decoded) return counters.bad_blocks;
   body = *decoded;
   if (body[0] != 1) return counters.bad_versions;
-  if (body[1] != 1 && body[1] != 2) return counters.bad_types;
+  if (body[1] < 1 || body[1] > 8) return counters.bad_types;
   return counters.accepted;
 }
 
@@ -138,7 +140,7 @@ inline Reading reference_read(const Bytes& stream) {
     link::Frame frame{
         static_cast<link::MessageType>(body[1]), static_cast<uint16_t>(body[2] + 256 * body[3]), {}};
     std::copy(body.begin() + 4, body.end(), frame.payload.begin());
-    count_sequence(reading, frame.sequence, counters);
+    count_sequence(reading, frame, counters);
     reading.frames.push_back(frame);
   }
 }
@@ -189,7 +191,7 @@ inline link::Payload random_payload(Random& random) {
 }
 
 inline link::MessageType random_type(Random& random) {
-  return random.below(2) == 0 ? link::MessageType::kSensors : link::MessageType::kActuators;
+  return static_cast<link::MessageType>(1 + random.below(8));
 }
 
 inline Bytes random_frame(Random& random, link::FrameWriter& writer) {

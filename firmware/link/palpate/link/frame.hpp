@@ -24,10 +24,22 @@ inline constexpr std::size_t kWireSize = kPieceSize + 2;              ///< with 
 static_assert(kEncodedSize <= kCrc16CoveredBytes, "palpate: longer frames would lose CRC distance");
 
 /// Numbers are never used again for something else.
-enum class MessageType : uint8_t { kSensors = 1, kActuators = 2 };
+enum class MessageType : uint8_t {
+  kSensors = 1,
+  kActuators = 2,
+  kCommand = 3,
+  kTelemetry = 4,
+  kStageCycles = 5,
+  kCounters = 6,
+  kMotors = 7,
+  kInputs = 8
+};
+inline constexpr MessageType kLastMessageType = MessageType::kInputs;
+/// A place for each type, and for the 0 that is none.
+inline constexpr std::size_t kTypePlaces = static_cast<std::size_t>(kLastMessageType) + 1;
 
 constexpr bool is_known(MessageType type) {
-  return type == MessageType::kSensors || type == MessageType::kActuators;
+  return type >= MessageType::kSensors && type <= kLastMessageType;
 }
 
 using Payload = std::array<uint8_t, kPayloadSize>;
@@ -35,7 +47,7 @@ using WireFrame = std::array<uint8_t, kWireSize>;
 
 struct Frame {
   MessageType type;
-  uint16_t sequence;  ///< counts the frames of one sender, modulo 2^16
+  uint16_t sequence;  ///< counts the frames of this type, modulo 2^16
   Payload payload;
 };
 

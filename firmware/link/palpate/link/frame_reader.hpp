@@ -15,7 +15,7 @@ struct ReaderCounters {
   uint32_t bad_blocks;    ///< a right check over distances that miss the end: a faulty sender
   uint32_t bad_versions;  ///< whole, of another version of the protocol
   uint32_t bad_types;     ///< whole, of this version, a message that it does not have
-  uint32_t lost_frames;   ///< numbers skipped between accepted frames
+  uint32_t lost_frames;   ///< numbers skipped between accepted frames of a type
   uint32_t restarts;      ///< a number that is up to 2^15 back: the sender began anew, nothing counts as lost
   uint32_t discarded_bytes;  ///< other than 0 and in no accepted frame
 };
@@ -47,6 +47,11 @@ class FrameReader {
   [[nodiscard]] const ReaderCounters& counters() const { return counters_; }
 
  private:
+  struct Expected {
+    uint16_t sequence;
+    bool is_known;  // a frame of the type was accepted before
+  };
+
   void begin_piece() {
     decoder_ = CobsDecoder();
     crc_ = Crc16();
@@ -98,16 +103,16 @@ class FrameReader {
   }
 
   void note_sequence() {
-    const auto skipped = static_cast<uint16_t>(sequence() - next_sequence_);
-    if (has_sequence_) {
+    Expected& expected = expected_[header_[1]];
+    const auto skipped = static_cast<uint16_t>(sequence() - expected.sequence);
+    if (expected.is_known) {
       if (skipped < 0x8000u) {
         counters_.lost_frames += skipped;
       } else {
         ++counters_.restarts;
       }
     }
-    has_sequence_ = true;
-    next_sequence_ = static_cast<uint16_t>(sequence() + 1u);
+    expected = {static_cast<uint16_t>(sequence() + 1u), true};
   }
 
   CobsDecoder decoder_;
@@ -116,8 +121,7 @@ class FrameReader {
   uint32_t length_ = 0;   // of the piece, at most kPieceSize
   uint32_t decoded_ = 0;  // bytes of the body
   bool is_too_long_ = false;
-  bool has_sequence_ = false;  // a frame was accepted before
-  uint16_t next_sequence_ = 0;
+  std::array<Expected, kTypePlaces> expected_{};
   std::array<uint8_t, kHeaderSize> header_{};
   Frame frame_{};
   ReaderCounters counters_{};

@@ -6,7 +6,8 @@
 
 namespace palpate::link {
 
-/// One a direction: it numbers the frames. The first one after a start has the number 0.
+/// It numbers the frames of each type; the first one after a start has the number 0. Of one type only one
+/// writer sends.
 class FrameWriter {
  public:
   /// The whole frame, with both of its zeros. It can't fail. 28 steps of COBS, 58 of the CRC.
@@ -14,10 +15,11 @@ class FrameWriter {
     std::array<uint8_t, kBodySize> body;
     body[0] = kVersion;
     body[1] = static_cast<uint8_t>(type);
-    body[2] = static_cast<uint8_t>(next_sequence_ & 0xffu);
-    body[3] = static_cast<uint8_t>(next_sequence_ >> 8);
+    uint16_t& next_sequence = next_sequence_[static_cast<std::size_t>(type)];
+    body[2] = static_cast<uint8_t>(next_sequence & 0xffu);
+    body[3] = static_cast<uint8_t>(next_sequence >> 8);
+    ++next_sequence;
     for (const uint32_t i : bounded<kPayloadSize>(kPayloadSize, [] {})) body[kHeaderSize + i] = payload[i];
-    ++next_sequence_;
 
     std::array<uint8_t, kEncodedSize> encoded;
     cobs_encode(body, encoded);
@@ -35,7 +37,7 @@ class FrameWriter {
   }
 
  private:
-  uint16_t next_sequence_ = 0;
+  std::array<uint16_t, kTypePlaces> next_sequence_{};
 };
 
 }  // namespace palpate::link

@@ -25,6 +25,11 @@ constexpr void store_u32(Payload& payload, uint32_t value) {
 }
 
 template <std::size_t At>
+constexpr void store_i16(Payload& payload, int16_t value) {
+  store_u16<At>(payload, static_cast<uint16_t>(value));
+}
+
+template <std::size_t At>
 constexpr void store_i32(Payload& payload, int32_t value) {
   store_u32<At>(payload, static_cast<uint32_t>(value));
 }
@@ -46,6 +51,11 @@ constexpr uint32_t load_u32(const Payload& payload) {
 }
 
 /// Two's complement.
+template <std::size_t At>
+constexpr int16_t load_i16(const Payload& payload) {
+  return static_cast<int16_t>(load_u16<At>(payload));
+}
+
 template <std::size_t At>
 constexpr int32_t load_i32(const Payload& payload) {
   return static_cast<int32_t>(load_u32<At>(payload));

@@ -1,5 +1,6 @@
-// The messages and their bytes. The structs are kept by hand (docs/decisions/0010-wire-messages.md); what
-// each byte of a payload means is the table of docs/wire-protocol.md and nothing else.
+// The messages of a tick and their bytes; telemetry_messages.hpp has the others. The structs are kept by hand
+// (docs/decisions/0010-wire-messages.md); what each byte of a payload means is the table of
+// docs/wire-protocol.md and nothing else.
 #pragma once
 
 #include "palpate/link/little_endian.hpp"
@@ -16,6 +17,7 @@ struct SensorsMessage {
   uint8_t buttons;                        ///< one bit each, as the port read_buttons
   bool emergency_stop_pressed;
   bool amplifier_fault;
+  bool amplifiers_cut;  ///< by their watchdog
 };
 
 /// From the firmware: its answer to the sensors of the same tick.
@@ -27,6 +29,8 @@ struct ActuatorsMessage {
   std::array<bool, 3> is_amplifier_enabled;  ///< joint order
   bool watchdog_level;                       ///< of the amplifiers' watchdog line; each change is an edge
   uint8_t fault;                             ///< why the firmware stands still; 0: it does not
+  uint8_t safety_state;                      ///< safety::State
+  uint16_t conditions;                       ///< raised in this tick, bit n is safety::Condition n
   uint32_t flags;                            ///< TickFlag bits of the tick
 };
 
@@ -49,7 +53,8 @@ constexpr Payload encode(const SensorsMessage& message) {
   store_u16<18>(payload, message.gimbal_adc[1]);
   store_u16<20>(payload, message.gimbal_adc[2]);
   store_u8<22>(payload, message.buttons);
-  const uint32_t status = (message.emergency_stop_pressed ? 1u : 0u) | (message.amplifier_fault ? 2u : 0u);
+  const uint32_t status = (message.emergency_stop_pressed ? 1u : 0u) | (message.amplifier_fault ? 2u : 0u) |
+                          (message.amplifiers_cut ? 4u : 0u);
   store_u8<23>(payload, static_cast<uint8_t>(status));
   return payload;
 }
@@ -59,13 +64,14 @@ constexpr Payload encode(const SensorsMessage& message) {
   if (frame.type != SensorsMessage::kType) return DecodeStatus::kOtherType;
   const Payload& payload = frame.payload;
   const uint32_t status = load_u8<23>(payload);
-  if (status > 3) return DecodeStatus::kBadValue;
+  if (status > 7) return DecodeStatus::kBadValue;
   message.tick = load_u32<0>(payload);
   message.encoder_counts = {load_i32<4>(payload), load_i32<8>(payload), load_i32<12>(payload)};
   message.gimbal_adc = {load_u16<16>(payload), load_u16<18>(payload), load_u16<20>(payload)};
   message.buttons = load_u8<22>(payload);
   message.emergency_stop_pressed = (status & 1u) != 0;
   message.amplifier_fault = (status & 2u) != 0;
+  message.amplifiers_cut = (status & 4u) != 0;
   return DecodeStatus::kDone;
 }
 
@@ -82,6 +88,8 @@ constexpr Payload encode(const ActuatorsMessage& message) {
   store_u8<11>(payload, message.watchdog_level ? 1 : 0);
   store_u32<12>(payload, message.flags);
   store_u8<16>(payload, message.fault);
+  store_u8<17>(payload, message.safety_state);
+  store_u16<18>(payload, message.conditions);
   return payload;
 }
 
@@ -92,8 +100,7 @@ constexpr Payload encode(const ActuatorsMessage& message) {
   const std::array<uint16_t, 3> codes = {load_u16<4>(payload), load_u16<6>(payload), load_u16<8>(payload)};
   const uint32_t enables = load_u8<10>(payload);
   const uint32_t level = load_u8<11>(payload);
-  // Bytes 17 .. 23.
-  const uint32_t reserved = load_u8<17>(payload) | load_u16<18>(payload) | load_u32<20>(payload);
+  const uint32_t reserved = load_u32<20>(payload);
   const bool is_code_high =
       codes[0] > kHighestMotorCode || codes[1] > kHighestMotorCode || codes[2] > kHighestMotorCode;
   if (is_code_high || enables > 7 || level > 1 || reserved != 0) return DecodeStatus::kBadValue;
@@ -103,6 +110,8 @@ constexpr Payload encode(const ActuatorsMessage& message) {
   message.watchdog_level = level != 0;
   message.flags = load_u32<12>(payload);
   message.fault = load_u8<16>(payload);
+  message.safety_state = load_u8<17>(payload);
+  message.conditions = load_u16<18>(payload);
   return DecodeStatus::kDone;
 }
 
