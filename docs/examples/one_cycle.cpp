@@ -20,6 +20,7 @@ firmware::Scene scene_of_bar() {
   // At zero counts the tool is at (215, 0, -170) mm in the device's frame. This puts it on the bar's side, at
   // (32, 0, 64) mm from the bar's middle.
   scene.device_origin = {example::from_mm(32 - 215), example::from_mm(0), example::from_mm(64 + 170)};
+  scene.device_rotation = firmware::kNotTurned;
   // 2.048 N = 0.512 x 2^2 N
   scene.newton_mantissa = Q<0, 31>::ratio(example::kForceUnitMicronewtons, 4000000);
   scene.newton_exponent = 2;

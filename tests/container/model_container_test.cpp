@@ -7,6 +7,7 @@
 #include "support/models.hpp"
 #include "support/random.hpp"
 #include "support/soak.hpp"
+#include "units.hpp"
 
 namespace palpate::test {
 namespace {
@@ -50,6 +51,18 @@ LatticePoint random_point(Random& random) {
   return LatticePoint{random_i16(random), random_i16(random), random_i16(random)};
 }
 
+ContactRules random_contact(Random& random) {
+  ContactRules rules{};
+  if (random.below(4) != 0) rules.radius = random_in(random, kLeastRadius, kMostRadius);
+  rules.stiffness = random_in(random, Coupling::from_raw(1), Coupling::max());
+  rules.damping = random_positive<Coupling>(random);
+  rules.friction = random_positive<Fraction>(random);
+  rules.force_limit = random_in(random, Force::from_raw(0), kContactForceLimit);
+  rules.slew = random_in(random, Force::from_raw(1), kMostContactSlew);
+  rules.passivity = {1 + random.below(~0u), random_positive<Coupling>(random)};
+  return rules;
+}
+
 /// Whatever a model may say, reasonable or not.
 CycleModel random_model(Random& random) {
   CycleModel model = sample_model();
@@ -81,8 +94,13 @@ CycleModel random_model(Random& random) {
   rules.stretch.merge_below = random_in(random, Q<4, 27>::from_raw(0), rules.stretch.split_above);
   for (LatticeBox& box : body.held) box = {random_point(random), random_point(random)};
   body.grasp_reach = random_in(random, Position::from_raw(0), Position::ratio(4, 1));
+  body.contact = random_contact(random);
   model.scene.edges_per_metre =
-      random_in(random, firmware::EdgesPerMetre::ratio(8, 1), firmware::EdgesPerMetre::ratio(62, 1));
+      random_in(random, firmware::kLeastEdgesPerMetre, firmware::kMostEdgesPerMetre);
+  const Eigen::Matrix3d rotation = random.rotation();
+  for (std::size_t i = 0; i < 9; ++i) {
+    model.scene.device_rotation[i] = sim::to_fixed<RotationEntry>(rotation.data()[i]);
+  }
   for (Position& x : model.scene.device_origin) {
     x = random_in(random, Position::ratio(-4, 1), Position::ratio(4, 1));
   }
@@ -121,7 +139,7 @@ TEST(ModelContainer, RefusesEveryCut) {
 
 TEST(ModelContainer, RefusesMissingDoubledAndStrangeChunks) {
   const auto chunks = chunks_of(model_file(sample_model()));
-  ASSERT_EQ(chunks.size(), 7u);
+  ASSERT_EQ(chunks.size(), 8u);
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     auto others = chunks;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -141,6 +159,15 @@ TEST(ModelContainer, RefusesMissingDoubledAndStrangeChunks) {
     EXPECT_EQ(refusal_of(file_of(Kind::kModel, others)).status, ReadStatus::kWrongLength);
   }
   EXPECT_EQ(refusal_of(file_of(Kind::kSnapshot, chunks)).status, ReadStatus::kWrongKind);
+}
+
+TEST(ModelContainer, RefusesASceneWithoutARotation) {
+  auto chunks = chunks_of(model_file(sample_model()));
+  chunks.back().version = 1;
+  chunks.back().payload.resize(24);
+  const Finding old = refusal_of(file_of(Kind::kModel, chunks));
+  EXPECT_EQ(old.status, ReadStatus::kFutureChunk);
+  EXPECT_EQ(old.tag, Tag::of("SCEN"));
 }
 
 TEST(ModelContainer, SkipsOnlyWhatIsNotRequired) {

@@ -73,14 +73,40 @@ const std::vector<Case>& refused() {
        [](M& m) { m.body.remesh.stretch.merge_below = beyond(m.body.remesh.stretch.split_above, 1); }},
       {"HOLD", "grasp reach", kRange, [](M& m) { m.body.grasp_reach = Position::from_raw(-1); }},
       {"HOLD", "grasp reach", kRange, [](M& m) { m.body.grasp_reach = beyond(Position::ratio(4, 1), 1); }},
+      {"CNTC", "tool radius", kRange, [](M& m) { m.body.contact.radius = Position::from_raw(-1); }},
+      {"CNTC", "tool radius", kRange, [](M& m) { m.body.contact.radius = beyond(kMostRadius, 1); }},
+      {"CNTC", "tool radius", kPair, [](M& m) { m.body.contact.radius = beyond(kLeastRadius, -1); }},
+      {"CNTC", "stiffness", kRange, [](M& m) { m.body.contact.stiffness = Coupling::from_raw(-1); }},
+      {"CNTC", "stiffness", kPair, [](M& m) { m.body.contact.stiffness = Coupling::from_raw(0); }},
+      {"CNTC", "damping", kRange, [](M& m) { m.body.contact.damping = Coupling::from_raw(-1); }},
+      {"CNTC", "friction", kRange, [](M& m) { m.body.contact.friction = Fraction::from_raw(-1); }},
+      {"CNTC", "force limit", kRange, [](M& m) { m.body.contact.force_limit = Force::from_raw(-1); }},
+      {"CNTC", "force limit", kRange,
+       [](M& m) { m.body.contact.force_limit = beyond(kContactForceLimit, 1); }},
+      {"CNTC", "slew", kRange, [](M& m) { m.body.contact.slew = Force::from_raw(-1); }},
+      {"CNTC", "slew", kRange, [](M& m) { m.body.contact.slew = beyond(kMostContactSlew, 1); }},
+      {"CNTC", "slew", kPair, [](M& m) { m.body.contact.slew = Force::from_raw(0); }},
+      {"CNTC", "passivity ceiling", kPair, [](M& m) { m.body.contact.passivity.ceiling = 0; }},
+      {"CNTC", "passivity damping", kRange,
+       [](M& m) { m.body.contact.passivity.most_damping = Coupling::from_raw(-1); }},
       {"SCEN", "edges per metre", kRange,
-       [](M& m) { m.scene.edges_per_metre = firmware::EdgesPerMetre::ratio(7, 1); }},
+       [](M& m) { m.scene.edges_per_metre = firmware::EdgesPerMetre::ratio(3, 4); }},
       {"SCEN", "edges per metre", kRange,
        [](M& m) { m.scene.edges_per_metre = firmware::EdgesPerMetre::ratio(63, 1); }},
       {"SCEN", "device origin", kRange,
        [](M& m) { m.scene.device_origin[2] = beyond(Position::ratio(-4, 1), -1); }},
       {"SCEN", "device origin", kRange,
        [](M& m) { m.scene.device_origin[0] = beyond(Position::ratio(4, 1), 1); }},
+      {"SCEN", "device rotation", kRange,
+       [](M& m) { m.scene.device_rotation[4] = beyond(firmware::kWholeEntry, 1); }},
+      {"SCEN", "device rotation", kPair, [](M& m) { m.scene.device_rotation = {}; }},
+      {"SCEN", "device rotation", kPair,
+       [](M& m) { m.scene.device_rotation[1] = beyond(m.scene.device_rotation[1], 20); }},
+      {"SCEN", "device rotation", kPair,
+       [](M& m) {  // a mirror
+         m.scene.device_rotation = firmware::kNotTurned;
+         m.scene.device_rotation[8] = -firmware::kWholeEntry;
+       }},
       {"SCEN", "newton mantissa", kRange, [](M& m) { m.scene.newton_mantissa = Q<0, 31>::from_raw(0); }},
       {"SCEN", "newton exponent", kRange, [](M& m) { m.scene.newton_exponent = -17; }},
       {"SCEN", "newton exponent", kRange, [](M& m) { m.scene.newton_exponent = 29; }},
@@ -144,6 +170,12 @@ TEST(ModelRange, HasItsLimitsInside) {
   expect_taken([](M& m) { m.body.grasp_reach = Position::ratio(4, 1); });
   expect_taken([](M& m) { m.body.remesh.stretch.merge_below = m.body.remesh.stretch.split_above; });
   expect_taken([](M& m) { m.body.remesh.rotation.join_below = m.body.remesh.rotation.split_above; });
+  expect_taken([](M& m) { m.body.contact.radius = kLeastRadius; });
+  expect_taken([](M& m) { m.body.contact.radius = kMostRadius; });
+  expect_taken([](M& m) { m.body.contact.passivity.most_damping = Coupling::from_raw(0); });
+  expect_taken([](M& m) { m.body.contact = ContactRules{}; });  // no contact needs no rules
+  expect_taken([](M& m) { m.scene.device_rotation = firmware::kNotTurned; });
+  expect_taken([](M& m) { m.scene.edges_per_metre = firmware::kLeastEdgesPerMetre; });
   // Full corotation joins below 1 and splits above 0; its front has no thresholds.
   expect_taken([](M& m) { m.body.remesh.rotation = {RotationCriterion::kFull, 0, 0, 1}; });
   // A mesh that stays as it is has no use for its levels.

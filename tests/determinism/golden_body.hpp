@@ -86,6 +86,7 @@ constexpr firmware::Scene make_scene() {
   firmware::Scene scene{};
   scene.edges_per_metre = firmware::EdgesPerMetre::ratio(1000, 64);
   scene.device_origin = {Position::ratio(-1820, 640), Position::ratio(0, 1), Position::ratio(2350, 640)};
+  scene.device_rotation = firmware::kNotTurned;
   scene.newton_mantissa = Q<0, 31>::ratio(512, 1000);  // E edge^2 = 2.048 N = 0.512 2^2 N
   scene.newton_exponent = 2;
   return scene;

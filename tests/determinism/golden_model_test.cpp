@@ -97,6 +97,7 @@ TEST(GoldenModel, HasTheSceneOfItsSiValues) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_EQ(golden.device_origin[axis].raw(), scene.device_origin[axis].raw());
   }
+  EXPECT_EQ(golden.device_rotation, scene.device_rotation);
   EXPECT_EQ(golden.newton_mantissa.raw(), scene.newton_mantissa.raw());
   EXPECT_EQ(golden.newton_exponent, scene.newton_exponent);
 }

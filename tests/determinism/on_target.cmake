@@ -9,7 +9,7 @@ else()
 endif()
 foreach(run ${runs})
   palpate_split_run(${run})
-  palpate_firmware(palpate_${scenario} ${profile} ${image})
+  palpate_script_firmware(palpate_${scenario} ${profile} ${image})
   add_test(NAME determinism.${scenario}_in_qemu
     COMMAND ${CMAKE_COMMAND} -DGOLDEN=${golden} -P ${compare} --
       ${PROJECT_SOURCE_DIR}/board/mps2/run_in_qemu ${machine} $<TARGET_FILE:palpate_${scenario}>)

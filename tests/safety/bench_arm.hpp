@@ -24,6 +24,12 @@ inline Observation quiet(uint32_t number) {
           EventSet()};
 }
 
+/// A tick of the layer.
+inline Verdict guard(Safety& safety, const Observation& seen) {
+  (void)sense(safety, seen);
+  return judge(safety, seen);
+}
+
 class BenchArm {
  public:
   explicit BenchArm(const Parameters& parameters = kPremium15Parameters) : safety(make_safety(parameters)) {}

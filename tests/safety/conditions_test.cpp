@@ -134,7 +134,7 @@ void tick_without_cause(BenchArm& arm, Condition condition) {
   }
 }
 
-void bring_about(BenchArm& arm, Condition condition) {
+void bring_about(BenchArm& arm, Condition condition, bool is_expected = true) {
   arm.reach_active();
   for (int tick = 1; tick <= answer(condition).detected_in_ticks; ++tick) {
     (void)tick_with_cause(arm, condition, tick);
@@ -143,7 +143,7 @@ void bring_about(BenchArm& arm, Condition condition) {
   for (int tick = 1; tick <= more; ++tick) {
     (void)tick_with_cause(arm, condition, answer(condition).detected_in_ticks + tick);
   }
-  EXPECT_TRUE(arm.safety.raised.has(condition));
+  EXPECT_EQ(arm.safety.raised.has(condition), is_expected);
 }
 
 TEST(Conditions, ClearAsTheTableSays) {
@@ -213,6 +213,17 @@ TEST(Conditions, OfTheMonitorsCannotBeReportedAndRequestsAreNoConditions) {
     });
     EXPECT_EQ(arm.safety.raised.has(condition), kReported.has(condition));
     EXPECT_EQ(arm.safety.state, kReported.has(condition) ? State::kFault : State::kActive);
+  }
+}
+
+TEST(Conditions, ThatAreIgnoredAreThoseOfTheMonitorsOnly) {
+  Parameters parameters;
+  parameters.ignored = ConditionSet::all();
+  for (const Condition condition : every_condition()) {
+    BenchArm arm(parameters);
+    bring_about(arm, condition, kReported.has(condition));
+    EXPECT_EQ(arm.safety.state, kReported.has(condition) ? State::kFault : State::kActive);
+    EXPECT_EQ(arm.safety.seen.is_empty(), !kReported.has(condition)) << condition_name(condition);
   }
 }
 

@@ -195,7 +195,7 @@ TEST(Sequences, OfTicksNeverBreakTheRules) {
       counts[random.below(3)] += static_cast<int32_t>(random.below(3)) - 1;
       Observation seen = random_tick(random, i, counts);
       if (i < 90000) seen.reported = seen.reported.without(kUntilNewStart);
-      const Verdict verdict = guard(safety, seen);
+      const Verdict verdict = test::guard(safety, seen);
       watcher.see(seen, safety, verdict);
       if (::testing::Test::HasFatalFailure()) FAIL() << "seed " << seed << ", tick " << i;
     }

@@ -47,6 +47,19 @@ class FieldReader {
                    Q<I, F> most = Q<I, F>::max()) {
     for (const uint32_t i : bounded<Count>(Count, [] {})) fixed(name, values[i], least, most);
   }
+  /// Some of a set of up to 32 bits, stored as an integer of this size.
+  template <class Integer, class Set>
+  void bits(const char* name, Set& set, Integer most) {
+    Integer found = 0;
+    number<Integer>(name, found, 0, most);
+    if (finding_.is_done()) set = Set::of_bits(found);
+  }
+  /// A byte that is 0 or 1.
+  void truth(const char* name, bool& value) {
+    uint8_t found = 0;
+    number<uint8_t>(name, found, 0, 1);
+    if (finding_.is_done()) value = found != 0;
+  }
   /// Bytes without a meaning yet, 0 to 7.
   void zeros(uint32_t count) {
     for ([[maybe_unused]] const uint32_t i : bounded<7>(count, [] {})) {
@@ -55,6 +68,8 @@ class FieldReader {
     }
   }
 
+  /// Every field so far was right.
+  [[nodiscard]] bool is_right() const { return finding_.is_done(); }
   /// kDone when every field was right and none is left over.
   [[nodiscard]] Finding finish() const {
     if (!finding_.is_done() || at_ == chunk_.payload.size) return finding_;

@@ -31,6 +31,11 @@ class FieldWriter {
   void fixed_array(const char* name, const std::array<Q<I, F>, Count>& values, Q<I, F> = {}, Q<I, F> = {}) {
     for (const uint32_t i : bounded<Count>(Count, [] {})) fixed(name, values[i]);
   }
+  template <class Integer, class Set>
+  void bits(const char* name, Set set, Integer) {
+    number(name, static_cast<Integer>(set.bits()));
+  }
+  void truth(const char* name, bool value) { number(name, static_cast<uint8_t>(value ? 1 : 0)); }
   void zeros(uint32_t count) {
     for ([[maybe_unused]] const uint32_t i : bounded<7>(count, [] {})) number("reserved", uint8_t{0});
   }

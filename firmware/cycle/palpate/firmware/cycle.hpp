@@ -1,67 +1,66 @@
 // One cycle of the haptic controller: encoder counts in, motor codes out, a tick of soft tissue between.
 //
-//   kinematics   counts -> joint angles -> tool position in the body's frame
+//   kinematics   counts -> safety layer's first look -> joint angles -> tool position in the body's frame
 //   touch .. reaction   the core's stages (palpate/tick/tick.hpp)
-//   motor_codes  reaction -> force on the handle -> joint torques -> motor codes
+//   motor_codes  reaction -> force on the handle -> safety layer -> joint torques -> motor codes
 //
 // The tick interrupt, the host board and the simulator all call this function. The same state and sensors
 // give the same bits on every machine. Codes are the zero code and amplifiers off in every cycle that does
 // not end well.
 #pragma once
 
-#include "palpate/firmware/scenario_image.hpp"
+#include "palpate/firmware/cycle_state.hpp"
+#include "palpate/firmware/self_test.hpp"
 #include "palpate/firmware/stage.hpp"
-#include "palpate/phantom/premium.hpp"
-#include "palpate/tick/hash.hpp"
 #include "palpate/tick/tick.hpp"
 
 namespace palpate::firmware {
-
-struct Sensors {
-  std::array<int32_t, 3> encoder_counts;
-  bool grasp_button;
-};
-
-struct Actuators {
-  std::array<uint16_t, 3> motor_codes;
-  bool amplifiers_enabled;
-};
-
-/// Why the cycle stands still, with no torque. Only a new start clears it.
-enum class Fault : uint8_t { kNone, kNotStarted, kModelRefused, kEncoderRange };
-
-template <class Profile>
-struct CycleState {
-  State<Profile> core;
-  Scene scene;
-  phantom::Posture posture;        // of this cycle's encoder counts
-  TickInput input;                 // of the last tick
-  TickOutput output;               // of the last tick
-  Vector3<phantom::Newton> force;  // on the handle
-  std::array<uint16_t, 3> motor_codes;
-  StateHash code_history;       // of the motor codes of every cycle so far
-  uint64_t peak_force_square;   // of any cycle, in (2^-27 N)^2
-  uint32_t flags_seen;          // TickFlag bits of all cycles so far
-  uint32_t tethers_full_ticks;  // cycles in which a change of the mesh waited for a tether
-  Fault fault;
-};
-
 namespace cycle_stages {
 
+/// Counts from where the encoders were reset. 16-bit counters differ by less than 2^17.
+constexpr phantom::Counts counts_since_reset(const phantom::Counts& counts, const phantom::Counts& at_reset) {
+  return {counts[0] - at_reset[0], counts[1] - at_reset[1], counts[2] - at_reset[2]};
+}
+
+/// Counts that can't be trusted move no tool: before calibration, and from the tick on that shows a fault.
 template <class Profile>
-PALPATE_NOINLINE void kinematics(CycleState<Profile>& state, const Sensors& sensors) {
-  const auto angles = phantom::joint_angles(phantom::premium::kPremium15, sensors.encoder_counts);
+PALPATE_NOINLINE void kinematics(CycleState<Profile>& state, const Sensors& sensors,
+                                 safety::Observation& seen) {
+  const bool is_trusted = !safety::sense(state.safety, seen).overlaps(safety::kFaults) &&
+                          safety::is_calibrated(state.safety.state);
+  const phantom::Counts counts = phantom::in_range(sensors.encoder_counts);
+  const auto angles =
+      phantom::joint_angles(phantom::premium::kPremium15, counts_since_reset(counts, state.counts_at_reset));
   state.posture = phantom::premium::posture(angles);
-  state.input.tool = in_body_frame(state.scene, phantom::premium::tool_position(state.posture));
+  seen.tool_position = phantom::premium::tool_position(state.posture);
+  state.input.has_tool = is_trusted;
+  if (is_trusted) state.input.tool = in_body_frame(state.scene, seen.tool_position);
   state.input.close_grasp = sensors.grasp_button;
 }
 
+/// What boot and self-test report by themselves.
+inline safety::EventSet boot_events(safety::State state) {
+  using safety::Event;
+  if (state == safety::State::kBoot) return safety::EventSet::of(Event::kBootDone);
+  if (state != safety::State::kSelfTest) return {};
+  return safety::EventSet::of(passes_self_test() ? Event::kSelfTestPassed : Event::kSelfTestFailed);
+}
+
+/// The layer's verdict. Where it takes a calibration as done, the encoders stand in their reset pose now.
 template <class Profile>
-PALPATE_NOINLINE void motor_codes(CycleState<Profile>& state) {
-  state.force = on_handle(state.scene, state.output.reaction);
-  const auto torques = phantom::premium::joint_torques(state.posture, state.force);
-  state.motor_codes = phantom::motor_codes(phantom::premium::kDrive, torques).codes;
-  for (const uint32_t i : bounded<3>(3, [] {})) state.code_history.add(uint32_t{state.motor_codes[i]});
+safety::Verdict judge(CycleState<Profile>& state, const safety::Observation& seen) {
+  safety::Safety& safety = state.safety;
+  const safety::State before = safety.state;
+  const safety::Verdict verdict = safety::judge(safety, seen);
+  if (before == safety::State::kCalibrating && safety.state == safety::State::kIdle) {
+    state.counts_at_reset = phantom::in_range(seen.encoder_counts);
+    safety.velocity = safety::make_velocity_monitor();
+  }
+  return verdict;
+}
+
+template <class Profile>
+void note_peak_force(CycleState<Profile>& state) {
   uint64_t square = 0;
   for (const uint32_t axis : bounded<3>(3, [] {})) {
     const int64_t raw = state.force[static_cast<Eigen::Index>(axis)].raw();
@@ -70,56 +69,56 @@ PALPATE_NOINLINE void motor_codes(CycleState<Profile>& state) {
   if (square > state.peak_force_square) state.peak_force_square = square;
 }
 
-}  // namespace cycle_stages
-
-/// Builds the mesh at rest. At boot; on anything but kDone the cycle stays at zero torque.
+/// What the safety layer leaves of the force: all of it, to the bit, at full gain and with cool motors.
 template <class Profile>
-[[nodiscard]] Status start(CycleState<Profile>& state, const CycleModel& model) {
-  constexpr auto kZeroCode = static_cast<uint16_t>(phantom::kZeroCode);
-  state.scene = model.scene;
-  state.input = TickInput{zero_vector<Position>(), false, {RigidMotion::identity(), RigidMotion::identity()}};
-  state.output = TickOutput{zero_vector<Force>(), 0};
-  state.force = zero_vector<phantom::Newton>();
-  state.motor_codes = {kZeroCode, kZeroCode, kZeroCode};
-  state.code_history = StateHash();
-  state.peak_force_square = 0;
-  state.flags_seen = 0;
-  state.tethers_full_ticks = 0;
-  const Status status = palpate::start(state.core, model.body);
-  state.fault = status == Status::kDone ? Fault::kNone : Fault::kModelRefused;
-  return status;
+PALPATE_NOINLINE void motor_codes(CycleState<Profile>& state, safety::Observation& seen) {
+  state.force = on_handle(state.scene, state.output.reaction);
+  examine_slice(state.core.forest, state.core.model.block, state.invariants);
+  seen.asked_force = state.force;
+  seen.reported |= safety::ConditionSet::of(safety::Condition::kInvariantBroken, state.invariants.is_broken);
+  seen.requests |= boot_events(state.safety.state);
+  const safety::Verdict verdict = judge(state, seen);
+  const auto torques =
+      phantom::premium::joint_torques(state.posture, safety::scaled(verdict.gain, state.force));
+  const auto drive = protection::limited(phantom::premium::kDrive, verdict.current_limits);
+  state.motor_codes = phantom::motor_codes(drive, torques).codes;
+  state.amplifiers_enabled = verdict.amplifiers_enabled;
+  for (const uint32_t i : bounded<3>(3, [] {})) state.code_history.add(uint32_t{state.motor_codes[i]});
+  note_peak_force(state);
 }
+
+}  // namespace cycle_stages
 
 template <class Profile, class Probe>
 void cycle(CycleState<Profile>& state, const Sensors& sensors, Actuators& actuators, Probe& probe) {
-  constexpr auto kZeroCode = static_cast<uint16_t>(phantom::kZeroCode);
-  actuators = Actuators{{kZeroCode, kZeroCode, kZeroCode}, false};
-  if (state.fault == Fault::kNone && !phantom::counts_in_range(sensors.encoder_counts)) {
-    state.fault = Fault::kEncoderRange;
-  }
+  actuators = at_rest();
   if (state.fault != Fault::kNone) return;
 
+  safety::Observation seen{sensors.encoder_counts,         zero_vector<phantom::Metre>(),
+                           zero_vector<phantom::Newton>(), protection::currents(state.motor_codes),
+                           sensors.report.timing,          sensors.report.reported,
+                           sensors.report.requests};
   probe.enter(Stage::kKinematics);
-  cycle_stages::kinematics(state, sensors);
+  cycle_stages::kinematics(state, sensors, seen);
   probe.leave(Stage::kKinematics);
   CoreProbe<Probe> core_probe{probe};
   tick(state.core, state.input, state.output, core_probe);
   state.flags_seen |= state.output.flags;
   if ((state.output.flags & static_cast<uint32_t>(TickFlag::kTethersFull)) != 0) ++state.tethers_full_ticks;
   probe.enter(Stage::kMotorCodes);
-  cycle_stages::motor_codes(state);
+  cycle_stages::motor_codes(state, seen);
   probe.leave(Stage::kMotorCodes);
-  actuators = Actuators{state.motor_codes, true};
+  actuators = Actuators{state.motor_codes, state.amplifiers_enabled};
 }
 
-/// Of what a stage wrote in the last cycle. Outside the cycle.
+/// Of what a stage wrote in the last cycle; what the safety layer did shows in the codes. Outside the cycle.
 template <class Profile>
 [[nodiscard]] uint64_t stage_hash(const CycleState<Profile>& state, Stage stage) {
   if (is_core_stage(stage)) return palpate::stage_hash(state.core, state.output, core_stage_of(stage));
   StateHash hash;
   if (stage == Stage::kKinematics) {
     hash.add(state.input.tool);
-    hash.add(state.input.close_grasp ? 1u : 0u);
+    hash.add((state.input.close_grasp ? 1u : 0u) | (state.input.has_tool ? 0u : 2u));
   } else {
     hash.add(state.force);
     hash.add(state.code_history.value());

@@ -17,6 +17,8 @@ inline constexpr Tag kShapeTag = Tag::of("BLCK");
 inline constexpr Tag kRegionsTag = Tag::of("REGN");
 inline constexpr Tag kDynamicsTag = Tag::of("DYNM");
 inline constexpr Tag kRemeshTag = Tag::of("RMSH");
+inline constexpr Tag kContactTag = Tag::of("CNTC");
+inline constexpr Tag kSceneTag = Tag::of("SCEN");
 /// The lightest region has a twentieth of the heaviest one's density.
 inline constexpr uint16_t kLeastDensity = kDensityOne / 20;
 
@@ -91,6 +93,45 @@ inline Finding check_hysteresis(const RemeshRules& rules) {
   return Finding::nothing();
 }
 
+/// A tool that touches has a size, a spring, and a force that can change and come back.
+inline Finding check_contact(const ContactRules& rules) {
+  if (!rules.is_on()) return Finding::nothing();
+  const auto refuse_low = [](const char* field, int64_t least, int64_t most, int64_t found) {
+    return refuse(ReadStatus::kContradiction, kContactTag, field, least, most, found);
+  };
+  if (rules.radius < kLeastRadius) {
+    return refuse_low("tool radius", kLeastRadius.raw(), kMostRadius.raw(), rules.radius.raw());
+  }
+  if (rules.stiffness.raw() < 1) return refuse_low("stiffness", 1, Coupling::max().raw(), 0);
+  if (rules.slew.raw() < 1) return refuse_low("slew", 1, kMostContactSlew.raw(), 0);
+  if (rules.passivity.ceiling < 1) return refuse_low("passivity ceiling", 1, UINT32_MAX, 0);
+  return Finding::nothing();
+}
+
+/// Rows of length 1, upright on each other to 4 LSB (2^-28), and no mirror: otherwise the device would make
+/// or lose work. Entries are within +-1, so sums of three products fit.
+inline Finding check_rotation(const DeviceRotation& r) {
+  constexpr int64_t kMost = int64_t{4} << RotationEntry::kFractionBits;
+  constexpr int64_t kOne = int64_t{1} << (2 * RotationEntry::kFractionBits);
+  const auto entry = [&r](uint32_t row, uint32_t column) { return int64_t{r[3 * row + column].raw()}; };
+  const auto refuse_it = [](int64_t least, int64_t most, int64_t found) {
+    return refuse(ReadStatus::kContradiction, kSceneTag, "device rotation", least, most, found);
+  };
+  for (const uint32_t i : bounded<3>(3, [] {})) {
+    for (const uint32_t j : bounded<3>(3, [] {})) {
+      const int64_t dot = entry(i, 0) * entry(j, 0) + entry(i, 1) * entry(j, 1) + entry(i, 2) * entry(j, 2);
+      const int64_t error = dot - (i == j ? kOne : 0);
+      if (error < -kMost || error > kMost) return refuse_it(-kMost, kMost, error);
+    }
+  }
+  const auto minor = [&entry](uint32_t a, uint32_t b) {
+    return (entry(1, a) * entry(2, b) - entry(1, b) * entry(2, a)) >> RotationEntry::kFractionBits;
+  };
+  const int64_t determinant =
+      entry(0, 0) * minor(1, 2) + entry(0, 1) * minor(2, 0) + entry(0, 2) * minor(0, 1);
+  return determinant > 0 ? Finding::nothing() : refuse_it(1, kOne, determinant);
+}
+
 }  // namespace model_checks
 
 /// Of a model whose fields are in their ranges, for a profile with this deepest level. The finding's offset
@@ -104,7 +145,9 @@ inline Finding check_hysteresis(const RemeshRules& rules) {
     const uint8_t region = body.block.region[cube];
     if (finding.is_done() && region != Block::kAbsent) finding = checks::check_region(body, region);
   }
-  return finding.is_done() ? checks::check_hysteresis(body.remesh) : finding;
+  if (finding.is_done()) finding = checks::check_hysteresis(body.remesh);
+  if (finding.is_done()) finding = checks::check_contact(body.contact);
+  return finding.is_done() ? checks::check_rotation(model.scene.device_rotation) : finding;
 }
 
 }  // namespace palpate::firmware

@@ -4,7 +4,8 @@
 //
 //   NAME  optional: of the scenario, text of up to 64 bytes
 //   BLCK  cubes, level          REGN  materials, densities, levels    DYNM  the step
-//   RMSH  both fronts           HOLD  held regions, grasp reach       SCEN  the device around it
+//   RMSH  both fronts           HOLD  held regions, grasp reach       CNTC  how the tool touches
+//   SCEN  the device around it
 #pragma once
 
 #include "palpate/container/chunk_table.hpp"
@@ -22,10 +23,12 @@ inline constexpr uint32_t kMostNameBytes = 64;
 inline constexpr uint16_t kVersion = 1;
 
 /// Places in the table.
-enum Part : uint8_t { kName, kShape, kRegionTable, kDynamics, kRemesh, kHeld, kScene };
-inline constexpr std::size_t kParts = 7;
+enum Part : uint8_t { kName, kShape, kRegionTable, kDynamics, kRemesh, kHeld, kContact, kScene };
+inline constexpr std::size_t kParts = 8;
 
-constexpr ChunkRule required(Tag tag, uint32_t length) { return {tag, kVersion, length, length, false}; }
+constexpr ChunkRule required(Tag tag, uint32_t length, uint16_t version = kVersion) {
+  return {tag, version, length, length, false};
+}
 
 inline constexpr std::array<ChunkRule, kParts> kRules = {{
     {Tag::of("NAME"), kVersion, 0, kMostNameBytes, true},
@@ -34,7 +37,8 @@ inline constexpr std::array<ChunkRule, kParts> kRules = {{
     required(model_checks::kDynamicsTag, 16),
     required(model_checks::kRemeshTag, 20),
     required(Tag::of("HOLD"), 12 * kHolds + 4),
-    required(Tag::of("SCEN"), 24),
+    required(model_checks::kContactTag, 32),
+    required(model_checks::kSceneTag, 60, 2),
 }};
 
 /// The fields of one chunk. Fields is a reader, or a writer with a const model.
@@ -51,6 +55,8 @@ void describe(Part part, Fields& fields, ACycleModel& model, uint8_t deepest) {
       return model_fields::remesh(fields, model.body.remesh);
     case kHeld:
       return model_fields::held(fields, model.body);
+    case kContact:
+      return model_fields::contact(fields, model.body.contact);
     case kScene:
       return model_fields::scene(fields, model.scene);
     default:
@@ -69,15 +75,12 @@ inline container::Finding placed(container::Finding finding,
 
 }  // namespace model_detail
 
-/// kDone with the very model that was written; or the first thing that is wrong with the file or with the
-/// model, and then `model` means nothing. `deepest`: the profile's kMaxLevel. At boot: O(bytes), some 1 KiB
-/// of stack.
-[[nodiscard]] inline container::Finding read_model(container::Bytes file, uint8_t deepest,
-                                                   CycleModel& model) {
+/// What its chunks say, each of which has been found by its rule (model_detail::kRules). `deepest`: the
+/// profile's kMaxLevel.
+[[nodiscard]] inline container::Finding read_model_chunks(
+    const std::array<container::Chunk, model_detail::kParts>& chunks, uint8_t deepest, CycleModel& model) {
   using model_detail::Part;
-  std::array<container::Chunk, model_detail::kParts> chunks{};
-  container::Finding finding =
-      container::collect(file, container::Kind::kModel, model_detail::kRules, chunks);
+  container::Finding finding = container::Finding::nothing();
   for (const uint32_t i : bounded<model_detail::kParts>(model_detail::kParts, [] {})) {
     if (!finding.is_done()) return finding;
     const auto part = static_cast<Part>(i);
@@ -89,12 +92,21 @@ inline container::Finding placed(container::Finding finding,
   return finding.is_done() ? model_detail::placed(check_model(model, deepest), chunks) : finding;
 }
 
-/// `name`: of the scenario; what is beyond 64 bytes is left out.
+/// kDone with the very model that was written; or the first thing that is wrong with the file or with the
+/// model, and then `model` means nothing. At boot: O(bytes), some 1 KiB of stack.
+[[nodiscard]] inline container::Finding read_model(container::Bytes file, uint8_t deepest,
+                                                   CycleModel& model) {
+  std::array<container::Chunk, model_detail::kParts> chunks{};
+  const container::Finding finding =
+      container::collect(file, container::Kind::kModel, model_detail::kRules, chunks);
+  return finding.is_done() ? read_model_chunks(chunks, deepest, model) : finding;
+}
+
+/// Its chunks, for a file that says more. `name`: of the scenario; what is beyond 64 bytes is left out.
 template <class Sink>
-[[nodiscard]] container::WriteStatus write_model(Sink& sink, const CycleModel& model, container::Bytes name) {
+void write_model_chunks(container::ChunkWriter<Sink>& writer, const CycleModel& model,
+                        container::Bytes name) {
   using model_detail::Part;
-  container::ChunkWriter<Sink> writer(sink);
-  writer.begin(container::Kind::kModel);
   const uint32_t name_size =
       name.size < model_detail::kMostNameBytes ? name.size : model_detail::kMostNameBytes;
   for (const uint32_t i : bounded<model_detail::kParts>(model_detail::kParts, [] {})) {
@@ -108,6 +120,13 @@ template <class Sink>
     model_detail::describe(part, fields, model, kDeepestLevel);
     writer.end_chunk();
   }
+}
+
+template <class Sink>
+[[nodiscard]] container::WriteStatus write_model(Sink& sink, const CycleModel& model, container::Bytes name) {
+  container::ChunkWriter<Sink> writer(sink);
+  writer.begin(container::Kind::kModel);
+  write_model_chunks(writer, model, name);
   return writer.end();
 }
 

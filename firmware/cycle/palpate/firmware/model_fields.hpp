@@ -85,12 +85,27 @@ void held(Fields& fields, AModel& model) {
   fields.fixed("grasp reach", model.grasp_reach, Position::from_raw(0), Position::ratio(4, 1));
 }
 
-/// SCEN, 24 bytes.
+/// CNTC, 32 bytes. All zero: no contact.
+template <class Fields, class Rules>
+void contact(Fields& fields, Rules& rules) {
+  constexpr auto kNone = Coupling::from_raw(0);
+  constexpr auto kNoForce = Force::from_raw(0);
+  fields.fixed("tool radius", rules.radius, Position::from_raw(0), kMostRadius);
+  fields.fixed("stiffness", rules.stiffness, kNone);
+  fields.fixed("damping", rules.damping, kNone);
+  fields.fixed("friction", rules.friction, Fraction::from_raw(0));
+  fields.fixed("force limit", rules.force_limit, kNoForce, kContactForceLimit);
+  fields.fixed("slew", rules.slew, kNoForce, kMostContactSlew);
+  fields.number("passivity ceiling", rules.passivity.ceiling);
+  fields.fixed("passivity damping", rules.passivity.most_damping, kNone);
+}
+
+/// SCEN, version 2, 60 bytes.
 template <class Fields, class AScene>
 void scene(Fields& fields, AScene& scene) {
-  fields.fixed("edges per metre", scene.edges_per_metre, EdgesPerMetre::ratio(1000, 128),
-               EdgesPerMetre::ratio(1000, 16));
+  fields.fixed("edges per metre", scene.edges_per_metre, kLeastEdgesPerMetre, kMostEdgesPerMetre);
   fields.fixed_array("device origin", scene.device_origin, Position::ratio(-4, 1), Position::ratio(4, 1));
+  fields.fixed_array("device rotation", scene.device_rotation, -kWholeEntry, kWholeEntry);
   fields.fixed("newton mantissa", scene.newton_mantissa, kHalf);
   fields.number("newton exponent", scene.newton_exponent, -16, 28);
   fields.zeros(3);

@@ -34,6 +34,17 @@ class ConditionSet {
     set.bits_ = holds ? uint32_t{1} << static_cast<uint32_t>(condition) : 0;
     return set;
   }
+  /// Bits that are no condition are left out.
+  static constexpr ConditionSet of_bits(uint32_t bits) {
+    ConditionSet set;
+    set.bits_ = bits & ((uint32_t{1} << kConditionCount) - 1);
+    return set;
+  }
+  static constexpr ConditionSet all() {
+    ConditionSet set;
+    set.bits_ = (uint32_t{1} << kConditionCount) - 1;
+    return set;
+  }
   [[nodiscard]] constexpr bool has(Condition condition) const {
     return (bits_ >> static_cast<uint32_t>(condition) & 1) != 0;
   }
@@ -62,6 +73,13 @@ class ConditionSet {
  private:
   uint32_t bits_ = 0;
 };
+
+/// What the monitors cannot see themselves.
+inline constexpr ConditionSet kReported =
+    ConditionSet::of(Condition::kEmergencyStop) | ConditionSet::of(Condition::kAmplifierFault) |
+    ConditionSet::of(Condition::kWatchdog) | ConditionSet::of(Condition::kCorruptModel) |
+    ConditionSet::of(Condition::kInvariantBroken);
+inline constexpr ConditionSet kMonitored = ConditionSet::all().without(kReported);
 
 constexpr const char* condition_name(Condition condition) {
   switch (condition) {

@@ -35,6 +35,7 @@ constexpr Answer answer(Condition condition) {
       return {kDefaults.timing.overrun_ticks, Reaction::kFault, Clearing::kAcknowledged};
     case Condition::kEncoderStuck:
       return {kDefaults.motion.stuck_ticks, Reaction::kFault, Clearing::kAcknowledged};
+    case Condition::kEncoderRange:
     case Condition::kCorruptModel:
     case Condition::kInvariantBroken:
       return {1, Reaction::kFault, Clearing::kNewStart};

@@ -70,9 +70,17 @@ class EventSet {
     set.bits_ = (conditions.bits() & kLow) | (conditions.bits() & ~kLow) << kGap;
     return set;
   }
+  /// Bits that are no event are left out.
+  static constexpr EventSet of_bits(uint32_t bits) {
+    EventSet set;
+    set.bits_ = bits & ((uint32_t{1} << kEventCount) - 1);
+    return set;
+  }
   [[nodiscard]] constexpr bool has(Event event) const {
     return (bits_ >> static_cast<uint32_t>(event) & 1) != 0;
   }
+  /// Bit n is event n: for commands and recordings.
+  [[nodiscard]] constexpr uint32_t bits() const { return bits_; }
   friend constexpr EventSet operator|(EventSet a, EventSet b) {
     a.bits_ |= b.bits_;
     return a;

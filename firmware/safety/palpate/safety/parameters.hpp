@@ -7,6 +7,7 @@
 
 #include "palpate/numeric/q.hpp"
 #include "palpate/phantom/premium.hpp"
+#include "palpate/safety/condition_set.hpp"
 
 namespace palpate::safety {
 
@@ -85,6 +86,9 @@ struct Parameters {
   MotionLimits motion;
   TimingLimits timing;
   ThermalLimits thermal;
+  /// What the monitors may find and nobody hears of: for scripts without a hand, whose counts jump. What a
+  /// board reports is always heard.
+  ConditionSet ignored;
 };
 
 inline constexpr Parameters kPremium15Parameters{};

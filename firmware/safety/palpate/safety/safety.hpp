@@ -39,6 +39,7 @@ struct Verdict {
 struct Safety {
   Parameters parameters;
   State state;
+  ConditionSet sensed;  // in this tick, by the sensors
   ConditionSet raised;  // in the last tick
   ConditionSet seen;    // in any tick since the start
   ForceRamp ramp;
@@ -54,6 +55,7 @@ inline Safety make_safety(const Parameters& parameters) {
           State::kBoot,
           ConditionSet(),
           ConditionSet(),
+          ConditionSet(),
           make_force_ramp(),
           make_force_monitor(),
           make_velocity_monitor(),
@@ -62,26 +64,30 @@ inline Safety make_safety(const Parameters& parameters) {
           make_warm_motors(parameters.thermal)};
 }
 
-/// Conditions that the monitors cannot see themselves.
-inline constexpr ConditionSet kReported =
-    ConditionSet::of(Condition::kEmergencyStop) | ConditionSet::of(Condition::kAmplifierFault) |
-    ConditionSet::of(Condition::kWatchdog) | ConditionSet::of(Condition::kCorruptModel) |
-    ConditionSet::of(Condition::kInvariantBroken);
+/// First in a tick, before anything is computed from the counts: what the sensors alone show. Of `seen` it
+/// reads counts, currents, timing and `reported`.
+inline ConditionSet sense(Safety& safety, const Observation& seen) {
+  const Parameters& p = safety.parameters;
+  const TimingFindings timing = watch_timing(safety.timing, p.timing, seen.timing);
+  const ConditionSet found =
+      timing.conditions |
+      watch_encoders(safety.encoders, p.motion, seen.encoder_counts, timing.is_new_message, seen.currents);
+  safety.sensed = (seen.reported & kReported) | found.without(p.ignored);
+  return safety.sensed;
+}
 
 /// What is raised in this tick. A condition that needs a new start stays.
 inline ConditionSet watch(Safety& safety, const Observation& seen) {
   const Parameters& p = safety.parameters;
-  const TimingFindings timing = watch_timing(safety.timing, p.timing, seen.timing);
-  return (seen.reported & kReported) | (safety.raised & kUntilNewStart) | timing.conditions |
-         watch_encoders(safety.encoders, p.motion, seen.encoder_counts, timing.is_new_message,
-                        seen.currents) |
-         watch_velocity(safety.velocity, p.motion, seen.tool_position) |
-         watch_force(safety.force, p.force, seen.asked_force) |
-         watch_motors(safety.motors, kRe25Heat, p.thermal, seen.currents);
+  const ConditionSet found = watch_velocity(safety.velocity, p.motion, seen.tool_position) |
+                             watch_force(safety.force, p.force, seen.asked_force) |
+                             watch_motors(safety.motors, kRe25Heat, p.thermal, seen.currents);
+  return safety.sensed | (seen.reported & kReported) | (safety.raised & kUntilNewStart) |
+         found.without(p.ignored);
 }
 
-/// Once a tick, after the reaction force and before the motor codes. Some 50 multiplies.
-inline Verdict guard(Safety& safety, const Observation& seen) {
+/// After sense and after the reaction force, before the motor codes. Some 50 multiplies.
+inline Verdict judge(Safety& safety, const Observation& seen) {
   const ConditionSet raised = watch(safety, seen);
   const bool is_cleared = raised.is_empty() && !safety.raised.is_empty();
   const bool is_ramp_done = safety.state == State::kRamping && safety.ramp.gain == kFullForce;

@@ -19,6 +19,11 @@ inline constexpr uint32_t kStateCount = 8;
 
 constexpr bool is_torque_allowed(State state) { return state == State::kRamping || state == State::kActive; }
 
+/// Whether counts mean a place: calibrated, and no fault since.
+constexpr bool is_calibrated(State state) {
+  return state == State::kIdle || state == State::kRamping || state == State::kActive;
+}
+
 constexpr const char* state_name(State state) {
   switch (state) {
     case State::kBoot:

@@ -79,10 +79,20 @@ constexpr Row row(Event event) {
 }
 // clang-format on
 
+/// For compile-time constants.
+constexpr std::array<Row, kEventCount> make_table() {
+  std::array<Row, kEventCount> table{};
+  for (uint32_t i = 0; i < kEventCount; ++i) {
+    table[i] = row(static_cast<Event>(i));
+  }
+  return table;
+}
+inline constexpr std::array<Row, kEventCount> kTable = make_table();
+
 }  // namespace state_table
 
 constexpr Step step(State state, Event event) {
-  return state_table::row(event)[static_cast<std::size_t>(state)];
+  return state_table::kTable[static_cast<std::size_t>(event)][static_cast<std::size_t>(state)];
 }
 
 /// Straight-line, a table look-up.

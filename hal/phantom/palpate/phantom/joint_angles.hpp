@@ -45,6 +45,12 @@ constexpr bool counts_in_range(const Counts& counts) {
   return fits(counts[0]) && fits(counts[1]) && fits(counts[2]);
 }
 
+/// Clamped to what a 16-bit counter holds.
+constexpr Counts in_range(const Counts& counts) {
+  const auto clamped = [](int32_t count) { return count < -32768 ? -32768 : count > 32767 ? 32767 : count; };
+  return {clamped(counts[0]), clamped(counts[1]), clamped(counts[2])};
+}
+
 /// at_zero + counts x angle_per_count, counts clamped to 16 bits. Within 2.5 LSB of Angle (3.7e-9 rad) for
 /// any count, of which 2 are the rounding of angle_per_count times 32768. 1 multiply.
 constexpr Angle joint_angle(AnglePerCount angle_per_count, Angle at_zero_counts, int32_t counts) {
