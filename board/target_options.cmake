@@ -2,9 +2,13 @@
 # double errors. Unaligned accesses are off because the timing bound has no cost for them.
 set(palpate_processor_mps2_an500 cortex-m7)
 set(palpate_processor_mps2_an386 cortex-m4)
+set(palpate_processor_stm32h743 cortex-m7)
+set(palpate_processor_imxrt1062 cortex-m7)
+set(palpate_processor_stm32f4 cortex-m4)
 set(palpate_processor ${palpate_processor_${PALPATE_BOARD}})
 if(NOT palpate_processor)
-  message(FATAL_ERROR "palpate: no board is called '${PALPATE_BOARD}'; choose host, mps2_an500 or mps2_an386")
+  message(FATAL_ERROR "palpate: no board is called '${PALPATE_BOARD}'; choose host, mps2_an500, mps2_an386, "
+                      "stm32h743, imxrt1062 or stm32f4")
 endif()
 if(NOT CMAKE_SYSTEM_NAME STREQUAL "Generic")
   message(FATAL_ERROR "palpate: board '${PALPATE_BOARD}' needs the cross compiler: use a preset (cmake --preset m7) "

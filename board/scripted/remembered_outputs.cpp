@@ -1,4 +1,5 @@
 // Boards without a device: motors, amplifiers and watchdog keep what they were told, for a debugger to see.
+#include "palpate/ports/indicator.hpp"
 #include "palpate/ports/motors.hpp"
 #include "palpate/ports/watchdog.hpp"
 
@@ -15,6 +16,10 @@ void write_motors(const std::array<uint16_t, 3>& codes) { g_motor_codes = codes;
 
 void set_amplifiers(bool enabled) { g_amplifiers_enabled = enabled; }
 
-void toggle_amplifier_watchdog() { g_watchdog_line = !g_watchdog_line; }
+void show(const Indication&) {}
+
+void feed_watchdogs() { g_watchdog_line = !g_watchdog_line; }
+
+void start_watchdog() {}
 
 }  // namespace palpate::port

@@ -16,6 +16,9 @@ void resume_ticks() {}
 // to do: say whether the timer's request is set again.
 bool tick_pending() { return false; }
 
+// to do: derive it from a counter that never stops.
+uint32_t tick_number() { return 0; }
+
 // to do: sleep until the interrupt, unless ticks are held. Ask and sleep with interrupts masked, or a tick
 // that comes between the two is slept through.
 void wait_for_tick() {}

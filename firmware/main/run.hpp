@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/firmware/cycle.hpp"
+#include "palpate/telemetry/tick_record.hpp"
 #include "palpate/tick/profiles.hpp"
 #include "stage_timer.hpp"
 
@@ -10,7 +11,9 @@ namespace palpate::firmware {
 using Profile = palpate::PALPATE_PROFILE;
 
 inline constexpr uint32_t kTickPeriodUs = 1000;
-inline constexpr uint32_t kHashEvery = PALPATE_HASH_EVERY;
+inline constexpr uint32_t kTelemetryTicks = 16;             // that the background may be late
+inline constexpr uint32_t kWaiting = 8;                     // requests that have not had their tick
+inline constexpr uint32_t kHashEvery = PALPATE_HASH_EVERY;  // 0: never
 
 struct Run {
   CycleState<Profile> state;
@@ -18,9 +21,34 @@ struct Run {
   StageTimer timer;
   uint32_t ticks;
   uint32_t ticks_to_hash;
+  uint32_t last_tick;  // the run ends with it; 0: never
   uint32_t overruns;   // cycles that ended after the next one was due
+  bool was_late;       // the last cycle did
   volatile bool held;  // the cycle asks the background for a hash row; the background answers by clearing it
+  telemetry::Ring<telemetry::TickRecord, kTelemetryTicks> telemetry;
+  // What the background leaves for the cycle, which takes one of each a tick.
+  telemetry::Ring<safety::EventSet, kWaiting> requests;      // of whoever commands the device
+  telemetry::Ring<safety::ConditionSet, kWaiting> findings;  // of the background itself
 };
+
+/// One more for the cycle; the background's. When so many wait already it is lost: nobody asks for as much.
+template <class Set>
+void leave(telemetry::Ring<Set, kWaiting>& ring, Set set) {
+  if (Set* const place = ring.claim()) {
+    *place = set;
+    ring.publish();
+  }
+}
+
+/// The next one, or nothing; the cycle's.
+template <class Set>
+[[nodiscard]] Set take(telemetry::Ring<Set, kWaiting>& ring) {
+  const Set* const waiting = ring.oldest();
+  if (waiting == nullptr) return {};
+  const Set set = *waiting;
+  ring.release();
+  return set;
+}
 
 /// Holds the run without constructing it: no constructor runs before run_firmware, which does it.
 union RunStorage {

@@ -32,6 +32,8 @@ class StageTimer {
       stages_[stage].add(this_tick_[stage]);
   }
 
+  /// Cycles of each stage since begin_tick.
+  [[nodiscard]] const std::array<uint32_t, kStageCount>& this_tick() const { return this_tick_; }
   [[nodiscard]] const TimeFigure& tick() const { return tick_; }
   [[nodiscard]] const TimeFigure& stage(Stage stage) const { return stages_[index(stage)]; }
 

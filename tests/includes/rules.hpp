@@ -18,8 +18,8 @@ using Findings = std::vector<std::string>;
 
 /// Who may include whom: numeric, memory <- mesh <- {elastic, remesh, solve, touch, embed} <- tick <-
 /// firmware/cycle; firmware/safety sees numeric and phantom; hal/phantom, firmware/container and
-/// firmware/link see numeric, hal/ports its platform only, a board the ports. System headers: platform.hpp
-/// only.
+/// firmware/link see numeric; firmware/telemetry sees the cycle and the link; hal/ports its platform only, a
+/// board the ports. System headers: platform.hpp only.
 Findings check_includes(const Source& source);
 
 /// No float, no heap, no exceptions, no virtual functions, no containers of the library.

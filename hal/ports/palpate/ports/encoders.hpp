@@ -13,4 +13,10 @@ namespace palpate::port {
 /// Never waits: a decoder that has nothing new gives its last count.
 std::array<int32_t, 3> read_encoders();
 
+/// Number of the reading that read_encoders gave last, modulo 2^32: it goes up by one with each reading that
+/// the decoders delivered, so a device that has fallen silent shows.
+///
+/// Called by: the cycle, once a tick, after read_encoders. Bounded by: no device-register access.
+uint32_t encoder_reading_number();
+
 }  // namespace palpate::port

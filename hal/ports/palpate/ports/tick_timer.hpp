@@ -31,6 +31,12 @@ void resume_ticks();
 /// Called by: the cycle, once a tick. Bounded by: at most 1 device-register access. Never waits.
 bool tick_pending();
 
+/// Number of the period that this tick belongs to, modulo 2^32, from any start. The board takes it from a
+/// clock that runs on, so a period without a tick leaves a gap.
+///
+/// Called by: the cycle, once a tick. Bounded by: at most 1 device-register access. Never waits.
+uint32_t tick_number();
+
 /// Sleeps until a tick has run. It may return early, and returns at once while ticks are held. A board
 /// without interrupts runs the tick in here.
 ///

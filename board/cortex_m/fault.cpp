@@ -3,10 +3,10 @@
 #include "palpate/ports/console.hpp"
 #include "palpate/ports/motors.hpp"
 #include "palpate/ports/system.hpp"
-#include "registers.hpp"
 #include "startup.hpp"
+#include "system_registers.hpp"
 
-namespace palpate::mps2 {
+namespace palpate::cortex_m {
 namespace {
 
 void print(const char* text) {
@@ -53,33 +53,33 @@ const char* fault_cause(uint32_t status) {
 }
 
 }  // namespace
-}  // namespace palpate::mps2
+}  // namespace palpate::cortex_m
 
 /// The second half of the handler, on its own stack; frame is what the exception stacked, if it could.
 extern "C" [[noreturn, gnu::used]] void palpate_report_fault(const uint32_t* frame) {
   namespace port = palpate::port;
-  namespace mps2 = palpate::mps2;
+  namespace cortex_m = palpate::cortex_m;
   port::write_motors({2048, 2048, 2048});
   port::set_amplifiers(false);
   uint32_t exception = 0;
   asm volatile("mrs %0, ipsr" : "=r"(exception));
-  const uint32_t status = mps2::ConfigurableFaultStatus::read();
-  mps2::print("\nfault,");
-  mps2::print(mps2::exception_name(exception));
-  mps2::print(",");
-  mps2::print(mps2::fault_cause(status));
-  mps2::print_hex(",exception=", exception);
-  mps2::print_hex(",cfsr=", status);
-  mps2::print_hex(",hfsr=", mps2::HardFaultStatus::read());
-  mps2::print_hex(",mmfar=", mps2::MemoryFaultAddress::read());
-  mps2::print_hex(",bfar=", mps2::BusFaultAddress::read());
-  mps2::print_hex(",sp=", static_cast<uint32_t>(reinterpret_cast<uintptr_t>(frame)));
+  const uint32_t status = cortex_m::ConfigurableFaultStatus::read();
+  cortex_m::print("\nfault,");
+  cortex_m::print(cortex_m::exception_name(exception));
+  cortex_m::print(",");
+  cortex_m::print(cortex_m::fault_cause(status));
+  cortex_m::print_hex(",exception=", exception);
+  cortex_m::print_hex(",cfsr=", status);
+  cortex_m::print_hex(",hfsr=", cortex_m::HardFaultStatus::read());
+  cortex_m::print_hex(",mmfar=", cortex_m::MemoryFaultAddress::read());
+  cortex_m::print_hex(",bfar=", cortex_m::BusFaultAddress::read());
+  cortex_m::print_hex(",sp=", static_cast<uint32_t>(reinterpret_cast<uintptr_t>(frame)));
   constexpr uint32_t kFrameWords = 8;
-  if (frame >= mps2_stack_low && frame + kFrameWords <= mps2_stack_top) {
-    mps2::print_hex(",lr=", frame[5]);
-    mps2::print_hex(",pc=", frame[6]);
+  if (frame >= palpate_stack_low && frame + kFrameWords <= palpate_stack_top) {
+    cortex_m::print_hex(",lr=", frame[5]);
+    cortex_m::print_hex(",pc=", frame[6]);
   }
-  mps2::print("\n");
+  cortex_m::print("\n");
   port::exit_program(1);
 }
 

@@ -1,6 +1,5 @@
-#include "telemetry.hpp"
+#include "console_report.hpp"
 
-#include "palpate/firmware/scenario_image.hpp"
 #include "palpate/ports/system.hpp"
 #include "text.hpp"
 
@@ -118,9 +117,9 @@ void print_pools(const Run& run) {
   }
 }
 
-void print_summary(const Run& run) {
+void print_summary(const Run& run, const char* scenario) {
   summarize("profile", Profile::kName);
-  summarize("scenario", kScenarioImage.name);
+  summarize("scenario", scenario);
   summarize("ticks", run.ticks);
   summarize("leaves", uint32_t{run.state.core.forest.leaf_count});
   summarize("nodes", uint32_t{run.state.core.forest.nodes.used()});
