@@ -8,12 +8,13 @@
 #include "stability.hpp"
 
 namespace palpate::sim {
-namespace {
 
 void require_range(const std::string& name, double value, const Range& range) {
   if (range.contains(value)) return;
   throw BadInput(fmt::format("{} is {:g}, but must be {:g} to {:g}", name, value, range.low, range.high));
 }
+
+namespace {
 
 void check_regions(const ModelParameters& parameters) {
   const auto& regions = parameters.regions;
@@ -153,14 +154,7 @@ void check_domain(const ModelParameters& parameters) {
   check_remesh(parameters);
   check_step(parameters);
   require_range("grasp_reach_m", parameters.grasp_reach_m, {0.0, domain::kReachEdges * parameters.edge_m});
-}
-
-void check_domain(const SceneParameters& scene, const ModelParameters& parameters) {
-  const double reach_m = domain::kReachEdges * parameters.edge_m;
-  for (const double coordinate : scene.body_centre_in_device_m) {
-    require_range("body_centre_in_device_m", coordinate, {-reach_m, reach_m});
-  }
-  require_range("force_scale", scene.force_scale, domain::kForceScale);
+  check_contact(parameters);
 }
 
 }  // namespace palpate::sim

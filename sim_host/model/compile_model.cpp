@@ -132,21 +132,8 @@ Model compile_model(const ModelParameters& parameters) {
   model.held = {parameters.held == HeldEnds::kNone ? kEmpty : end_face(model.block, 0),
                 parameters.held == HeldEnds::kBoth ? end_face(model.block, 1) : kEmpty};
   model.grasp_reach = to_fixed<Position>(parameters.grasp_reach_m / parameters.edge_m);
+  model.contact = compile_contact(parameters);
   return model;
-}
-
-firmware::Scene compile_scene(const SceneParameters& scene, const ModelParameters& parameters) {
-  check_domain(scene, parameters);
-  firmware::Scene result{};
-  result.edges_per_metre = to_fixed<firmware::EdgesPerMetre>(1.0 / parameters.edge_m);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    result.device_origin[axis] = to_fixed<Position>(-scene.body_centre_in_device_m[axis] / parameters.edge_m);
-  }
-  int exponent = 0;
-  const double mantissa = std::frexp(newtons_per_unit(parameters) * scene.force_scale, &exponent);
-  result.newton_mantissa = to_fixed_below<Q<0, 31>>(mantissa);
-  result.newton_exponent = static_cast<int8_t>(exponent);
-  return result;
 }
 
 std::array<double, 3> to_mm(const Vector3<Position>& x, const ModelParameters& parameters) {

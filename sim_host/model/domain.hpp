@@ -2,6 +2,8 @@
 // the parameter table prints it.
 #pragma once
 
+#include <string>
+
 #include "palpate/mesh/block.hpp"
 #include "palpate/solve/dynamics.hpp"
 
@@ -47,6 +49,27 @@ inline constexpr double kFarthestM = kReachEdges * kEdgeM.high;
 inline constexpr Range kGraspReachM{0.0, kFarthestM};
 inline constexpr Range kBodyCentreM{-kFarthestM, kFarthestM};
 inline constexpr Range kForceScale{0.01, 1000.0};
+/// A model's own limit: a metre of the handle is 62.5 edges at most, so that 0.13 m of it cross the largest
+/// block.
+inline constexpr Range kMotionScale{0.1, 8.0};
+inline constexpr double kMostEdgesPerM = 1.0 / kEdgeM.low;
+inline constexpr Range kRotationDeg{-180.0, 180.0};
+
+/// Of a tool, in cube edges and over all cubes; 0: it does not touch.
+inline constexpr Range kToolRadiusEdges{1.0 / 64.0, 0.5};
+inline constexpr Range kToolRadiusM{0.0, kToolRadiusEdges.high* kEdgeM.high};
+/// Of a coupling. A model's own limits follow from its lightest node (contact_parameters.hpp).
+inline constexpr Range kContactStiffnessNM{0.01, 10000.0};
+inline constexpr Range kDampingNSM{0.0, 50.0};
+inline constexpr Range kContactFriction{0.0, 1.9};
+/// Forces, and their change in a tick. A model's own limit is E_ref edge^2.
+inline constexpr Range kContactForceN{0.001, 100.0};
+/// At least a step of the heaviest unit of energy, at most the end of the smallest.
+inline constexpr Range kPassivityCeilingJ{0.002, 1.0};
 
 }  // namespace domain
+
+/// Throws BadInput with the name, the value and the range.
+void require_range(const std::string& name, double value, const Range& range);
+
 }  // namespace palpate::sim

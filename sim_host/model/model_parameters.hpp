@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "contact_parameters.hpp"
 #include "palpate/firmware/scenario_image.hpp"
 
 namespace palpate::sim {
@@ -53,6 +54,7 @@ struct ModelParameters {
   HeldEnds held = HeldEnds::kOne;
   double grasp_reach_m = 0.010;
   RemeshParameters remesh;
+  ContactParameters contact;
 
   [[nodiscard]] int least_level(const RegionParameters& region) const {
     return region.least_level == kStartLevel ? level : region.least_level;
@@ -73,11 +75,24 @@ struct ModelParameters {
   }
 };
 
-/// Where the device's workspace meets the body: the device frame's axes are the body's.
+/// Where the device's workspace meets the body. A point x of the device's frame is the body's
+/// R (x - body_centre_in_device_m) motion_scale, from the body's centre.
 struct SceneParameters {
   std::array<double, 3> body_centre_in_device_m = {0.18, 0.0, -0.17};
-  double force_scale = 1.0;
+  // How the device stands in the body's frame: turned about the body's x, then its y, then its z axis,
+  // R = Rz Ry Rx (roll, pitch, yaw about fixed axes)
+  std::array<double, 3> device_rotation_deg = {0.0, 0.0, 0.0};
+  double motion_scale = 1.0;  // way of the tool over way of the handle
+  double force_scale = 1.0;   // force on the handle over force of the tissue
+
+  /// The hand's work over the tool's.
+  [[nodiscard]] double work_scale() const { return force_scale / motion_scale; }
 };
+
+/// R by rows: columns are the device's axes in the body's frame.
+std::array<double, 9> device_rotation(const SceneParameters& scene);
+/// Where the handle is when the tool is here, in metres from the body's centre along its axes.
+std::array<double, 3> in_device_m(const SceneParameters& scene, const std::array<double, 3>& from_centre_m);
 
 /// Begins a message on one of several regions: "region 1: ", or nothing when there is one.
 std::string place_of_region(const ModelParameters& parameters, std::size_t i);

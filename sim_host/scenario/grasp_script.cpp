@@ -10,7 +10,7 @@
 namespace palpate::sim {
 namespace {
 
-/// From above and beside, so that the arm keeps away from its limits.
+/// From above and beside in the device's frame, so that the arm keeps away from its limits.
 constexpr std::array<double, 3> kApproachFromM = {0.0, 0.024, 0.032};
 
 struct Phase {
@@ -30,11 +30,11 @@ constexpr std::array<Phase, 7> kPhases = {{
     {300, 1.0, 0.0, false},  // retract
 }};
 
-/// The node to grasp, in the device's frame.
+/// The node to grasp, from the body's centre.
 std::array<double, 3> corner_m(const Scenario& scenario) {
-  std::array<double, 3> corner = scenario.grasp.scene.body_centre_in_device_m;
+  std::array<double, 3> corner{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    corner[axis] += scenario.node_mm[axis] * 1e-3 - scenario.model.cubes[axis] * scenario.model.edge_m / 2.0;
+    corner[axis] = scenario.node_mm[axis] * 1e-3 - scenario.model.cubes[axis] * scenario.model.edge_m / 2.0;
   }
   return corner;
 }
@@ -73,9 +73,10 @@ std::vector<ToolPoint> grasp_path(const Scenario& scenario) {
     for (int tick = 0; tick < phase.ticks; ++tick) {
       const double part = plant::smooth_step(static_cast<double>(tick) / phase.ticks);
       const double away_now = away + part * (phase.away - away);
-      ToolPoint point{corner, phase.grasp_button};
+      std::array<double, 3> tool = corner;
+      tool[1] += (dragged + part * (phase.dragged - dragged)) * drag_m;
+      ToolPoint point{in_device_m(scenario.scene, tool), phase.grasp_button};
       for (std::size_t axis = 0; axis < 3; ++axis) point.position_m[axis] += away_now * kApproachFromM[axis];
-      point.position_m[1] += (dragged + part * (phase.dragged - dragged)) * drag_m;
       path.push_back(point);
     }
     away = phase.away;

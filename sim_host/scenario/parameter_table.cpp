@@ -12,6 +12,8 @@ namespace {
 
 constexpr unsigned kSine = kind_bit(ScenarioKind::kSine);
 constexpr unsigned kBend = kind_bit(ScenarioKind::kBend);
+constexpr unsigned kGrasp = kind_bit(ScenarioKind::kGrasp);
+constexpr unsigned kTouch = kind_bit(ScenarioKind::kTouch);
 constexpr double kManyTicks = 1e8;
 
 /// Its index in Access is that of its type.
@@ -104,6 +106,37 @@ std::vector<Parameter> remesh_parameters() {
   };
 }
 
+std::vector<Parameter> contact_parameters() {
+  return {
+      make("tool_radius_m", "m", domain::kToolRadiusM,
+           "radius of the ball that touches the surface, 1/64 to 1/2 edge_m; 0: the tool only grasps",
+           PALPATE_FIELD(double, model.contact.tool_radius_m)),
+      with_default(
+          make("contact_stiffness_n_m", "N/m", domain::kContactStiffnessNM,
+               "spring between the tool and the surface", PALPATE_FIELD(double, model.contact.stiffness_n_m)),
+          "half of the largest stable one, at most 1000"),
+      with_default(make("contact_damping_n_s_m", "N s/m", domain::kDampingNSM, "damper beside that spring",
+                        PALPATE_FIELD(double, model.contact.damping_n_s_m)),
+                   "contact_stiffness_n_m times 1 ms, or the largest stable one"),
+      make("contact_friction", "", domain::kContactFriction, "coefficient of friction on the surface",
+           PALPATE_FIELD(double, model.contact.friction)),
+      with_default(make("contact_force_limit_n", "N", domain::kContactForceN, "largest force of the contact",
+                        PALPATE_FIELD(double, model.contact.force_limit_n)),
+                   "8, or youngs_modulus_pa times edge_m squared if that is less"),
+      with_default(
+          make("contact_slew_n_per_tick", "N", domain::kContactForceN, "most change of that force in a tick",
+               PALPATE_FIELD(double, model.contact.slew_n_per_tick)),
+          "what a tool at 2 m/s asks for, at most the limit"),
+      make("passivity_ceiling_j", "J", domain::kPassivityCeilingJ,
+           "work of the hand that may come back; more is forgotten",
+           PALPATE_FIELD(double, model.contact.passivity_ceiling_j)),
+      with_default(make("passivity_damping_n_s_m", "N s/m", domain::kDampingNSM,
+                        "most damping of the tool while the body gives more than it got; 0: none",
+                        PALPATE_FIELD(double, model.contact.passivity_damping_n_s_m)),
+                   "5, or the largest that the model holds if that is less"),
+  };
+}
+
 std::vector<Parameter> motion_parameters() {
   Parameter node = make("node_mm", "mm", {-1000, 1000}, "rest position of the driven node",
                         PALPATE_FIELD(Triple, node_mm), kSine | kDeviceKinds);
@@ -126,12 +159,22 @@ std::vector<Parameter> motion_parameters() {
            "mass-proportional damping while the body comes to rest",
            PALPATE_FIELD(double, settle_damping_per_s), kToolKinds),
       make("drag_mm", "mm", {-80, 80}, "how far the tool drags the grasped corner along y",
-           PALPATE_FIELD(double, grasp.drag_mm), kDeviceKinds),
+           PALPATE_FIELD(double, grasp.drag_mm), kGrasp),
+      make("press_mm", "mm", {0, 20}, "how far beyond the surface the hand means to press",
+           PALPATE_FIELD(double, touch.press_mm), kTouch),
+      make("pull_mm", "mm", {0, 60}, "how far the hand pulls the grasped place off the body, along -y",
+           PALPATE_FIELD(double, touch.pull_mm), kTouch),
       make("force_scale", "", domain::kForceScale, "force on the handle over force of the tissue",
-           PALPATE_FIELD(double, grasp.scene.force_scale), kDeviceKinds),
+           PALPATE_FIELD(double, scene.force_scale), kDeviceKinds),
+      make("motion_scale", "", domain::kMotionScale,
+           "way of the tool over way of the handle, at most edge_m / 16 mm",
+           PALPATE_FIELD(double, scene.motion_scale), kDeviceKinds),
+      make("device_rotation_deg", "deg", domain::kRotationDeg,
+           "how the device stands beside the body: turned about the body's x, then y, then z axis",
+           PALPATE_FIELD(Triple, scene.device_rotation_deg), kDeviceKinds),
       make("body_centre_in_device_m", "m", domain::kBodyCentreM,
            "where the body's centre is in the device's frame",
-           PALPATE_FIELD(Triple, grasp.scene.body_centre_in_device_m), kDeviceKinds),
+           PALPATE_FIELD(Triple, scene.body_centre_in_device_m), kDeviceKinds),
       with_default(make("ticks", "ticks of 1 ms", {0, kManyTicks}, "when to stop; 0: at the end",
                         PALPATE_FIELD(int, ticks)),
                    "0"),
@@ -141,11 +184,29 @@ std::vector<Parameter> motion_parameters() {
 }
 
 std::vector<Parameter> output_parameters() {
-  Parameter board =
-      output(choice("board", {"host"}, "where the cycle runs", PALPATE_FIELD(std::string, board)));
-  board.kinds = kDeviceKinds;
+  Parameter board = output(choice("board", {"host", "qemu"}, "where the cycle runs; qemu: touch only",
+                                  PALPATE_FIELD(std::string, board)));
+  Parameter link = output(choice("link", {"fifo", "uart"}, "how the firmware in QEMU and the device talk",
+                                 PALPATE_FIELD(std::string, link)));
+  Parameter firmware = output(with_default(
+      make("firmware", "", {}, "firmware for board qemu, an ELF file", PALPATE_FIELD(std::string, firmware)),
+      "build/m7/palpate_lockstep.elf; build/m4 for profile small"));
+  Parameter port =
+      output(with_default(make("port", "", {}, "serial line to a firmware on a bench, instead of a board",
+                               PALPATE_FIELD(std::string, port)),
+                          "none"));
+  Parameter record =
+      output(with_default(make("record", "", {}, "file to record everything into that enters each tick",
+                               PALPATE_FIELD(std::string, record)),
+                          "none"));
+  board.kinds = record.kinds = kDeviceKinds;
+  link.kinds = firmware.kinds = port.kinds = kTouch;
   return {
       board,
+      link,
+      port,
+      firmware,
+      record,
       output(make("hash_every", "ticks", {1, kManyTicks}, "ticks between two rows of hash.csv",
                   PALPATE_FIELD(int, hash_every))),
       output(make("vtu_every", "ticks", {0, kManyTicks}, "ticks between two .vtu files for ParaView; 0: none",
@@ -160,7 +221,7 @@ std::vector<Parameter> output_parameters() {
 
 std::vector<Parameter> all_parameters() {
   std::vector<Parameter> all = body_parameters();
-  for (auto part : {remesh_parameters(), motion_parameters(), output_parameters()}) {
+  for (auto part : {remesh_parameters(), contact_parameters(), motion_parameters(), output_parameters()}) {
     std::move(part.begin(), part.end(), std::back_inserter(all));
   }
   return all;
@@ -199,35 +260,6 @@ nlohmann::json parameter_value(const Parameter& parameter, const Scenario& scena
         }
       },
       parameter.access);
-}
-
-std::string describe_range(const Parameter& parameter) {
-  if (!parameter.choices.empty()) return fmt::format("{}", fmt::join(parameter.choices, ", "));
-  if (std::holds_alternative<Field<bool>>(parameter.access)) return "on, off";
-  if (std::holds_alternative<Field<std::string>>(parameter.access)) return "a path";
-  std::string range = fmt::format("{:g} .. {:g}{}{}", parameter.range.low, parameter.range.high,
-                                  parameter.unit.empty() ? "" : " ", parameter.unit);
-  if (std::holds_alternative<Field<Triple>>(parameter.access)) return "three numbers, " + range;
-  if (std::holds_alternative<Field<WholeTriple>>(parameter.access)) return "three whole numbers, " + range;
-  if (std::holds_alternative<Field<std::vector<int>>>(parameter.access))
-    return "a whole number a cube, " + range;
-  const bool is_whole = std::holds_alternative<Field<int>>(parameter.access) ||
-                        std::holds_alternative<int RegionParameters::*>(parameter.access);
-  if (is_whole) return "a whole number, " + range;
-  return range;
-}
-
-std::string describe_default(const Parameter& parameter) {
-  if (!parameter.default_text.empty()) return parameter.default_text;
-  const nlohmann::json value = parameter_value(parameter, Scenario{});
-  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_array()) {
-    std::vector<std::string> items;
-    for (const auto& item : value) items.push_back(item.dump());
-    return items.empty() ? "all 0" : fmt::format("{}", fmt::join(items, ","));
-  }
-  return fmt::format("{:g}", value.get<double>());
 }
 
 }  // namespace palpate::sim

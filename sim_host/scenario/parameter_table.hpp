@@ -27,7 +27,7 @@ inline constexpr bool kIsOfRegion =
 /// Scenarios that have a parameter, one bit a kind.
 constexpr unsigned kind_bit(ScenarioKind kind) { return 1u << static_cast<unsigned>(kind); }
 inline constexpr unsigned kToolKinds = kind_bit(ScenarioKind::kSine) | kind_bit(ScenarioKind::kBend);
-inline constexpr unsigned kDeviceKinds = kind_bit(ScenarioKind::kGrasp);
+inline constexpr unsigned kDeviceKinds = kind_bit(ScenarioKind::kGrasp) | kind_bit(ScenarioKind::kTouch);
 inline constexpr unsigned kAllKinds = kToolKinds | kDeviceKinds;
 
 struct Parameter {

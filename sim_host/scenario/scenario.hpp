@@ -6,7 +6,12 @@
 
 namespace palpate::sim {
 
-enum class ScenarioKind : uint8_t { kSine, kBend, kGrasp };
+enum class ScenarioKind : uint8_t { kSine, kBend, kGrasp, kTouch };
+
+/// Whether the tool is at the end of a device's arm.
+constexpr bool has_device(ScenarioKind kind) {
+  return kind == ScenarioKind::kGrasp || kind == ScenarioKind::kTouch;
+}
 
 /// cuboid-sine: a node follows u = (0, A sin(0.072 k / slow deg), 0), k the tick.
 struct SineParameters {
@@ -25,7 +30,13 @@ struct BendParameters {
 /// grasp: a PHANToM takes a corner of the free end and drags it sideways.
 struct GraspParameters {
   double drag_mm = 50.0;
-  SceneParameters scene;
+};
+
+/// touch: a hand at a PHANToM presses the low y side of the body, then grasps it, pulls it along -y and lets
+/// go.
+struct TouchParameters {
+  double press_mm = 8.0;  // how far beyond the surface the hand means to go
+  double pull_mm = 30.0;
 };
 
 struct Scenario {
@@ -36,6 +47,9 @@ struct Scenario {
   ScenarioKind kind = ScenarioKind::kGrasp;
   std::string profile = "cuboid-paper";
   std::string board = "host";
+  std::string link = "fifo";  // to a board that is not the host
+  std::string port;           // serial line to a firmware on a bench; empty: none
+  std::string firmware;       // ELF for board qemu; empty: the build's
   std::string hold = "one";
   std::string rotations = "misfit";
   std::string stretch = "six-edges";
@@ -43,12 +57,15 @@ struct Scenario {
   SineParameters sine;
   BendParameters bend;
   GraspParameters grasp;
+  TouchParameters touch;
+  SceneParameters scene;
   std::array<double, 3> node_mm{};  // at rest, of the node that is driven, grasped or watched
   bool node_given = false;
   double settle_damping_per_s = 30.0;  // while a body comes to rest
   int ticks = kAllTicks;
   int hash_every = 100;
-  int vtu_every = 0;  // 0: never
+  int vtu_every = 0;   // 0: never
+  std::string record;  // file for a recording; empty: none
   std::string out;
   bool plots = true;
 };
@@ -62,6 +79,10 @@ Scenario built_in_scenario(const std::string& name);
 
 /// A built-in scenario, or one from a file (an argument that ends in .toml).
 Scenario load_scenario(const std::string& name_or_path);
+
+/// The model of a scenario that is complete, for the firmware's cycle. A scenario without a device gets a
+/// scene whose device is at the body's centre.
+firmware::CycleModel cycle_model(const Scenario& scenario);
 
 /// After all parameters are set: derives what follows from them and refuses contradictions.
 void complete_scenario(Scenario& scenario);

@@ -25,7 +25,7 @@ TEST_P(BadFlag, IsRefusedWithOneLine) {
 }
 
 constexpr Case kFlags[] = {
-    {"NoCommand", "", "compare, hil, model, paper, run and table1"},
+    {"NoCommand", "", "compare, hil, inspect, model, paper, record, replay, run and table1"},
     {"UnknownCommand", "frobnicate", "there is no command 'frobnicate'"},
     {"UnknownScenario", "run cuboid", "choose cuboid-bend, cuboid-sine, grasp"},
     {"NoScenario", "run", "scenario is required"},

@@ -37,7 +37,7 @@ std::string text_of(const Parameter& parameter, double value) {
 }
 
 ScenarioKind kind_of(const Parameter& parameter) {
-  for (const ScenarioKind kind : {ScenarioKind::kGrasp, ScenarioKind::kSine}) {
+  for (const ScenarioKind kind : {ScenarioKind::kGrasp, ScenarioKind::kTouch, ScenarioKind::kSine}) {
     if ((parameter.kinds & kind_bit(kind)) != 0) return kind;
   }
   return ScenarioKind::kBend;
@@ -50,8 +50,9 @@ Scenario easy_scenario(const Parameter& parameter) {
   scenario.model.level = 6;
   if (parameter.key == "least_level") scenario.model.level = kDeepestLevel;
   if (parameter.key == "most_level") scenario.model.level = 0;
-  scenario.model.edge_m = parameter.unit == "m" ? domain::kEdgeM.high : 0.064;
-  scenario.grasp.scene.body_centre_in_device_m = {0.0, 0.0, 0.0};
+  const bool needs_large_cubes = parameter.unit == "m" || parameter.key == "motion_scale";
+  scenario.model.edge_m = needs_large_cubes ? domain::kEdgeM.high : 0.064;
+  scenario.scene.body_centre_in_device_m = {0.0, 0.0, 0.0};
   return scenario;
 }
 
@@ -59,7 +60,7 @@ Scenario easy_scenario(const Parameter& parameter) {
 std::string objection_to(const Scenario& scenario) {
   try {
     check_domain(scenario.model);
-    check_domain(scenario.grasp.scene, scenario.model);
+    check_domain(scenario.scene, scenario.model);
   } catch (const BadInput& error) {
     return error.what();
   }
@@ -99,8 +100,8 @@ TEST_P(ParameterRange, OutsideIsRefusedWithTheRange) {
   std::replace(flag.begin(), flag.end(), '_', '-');
   for (const double outside : {below, above}) {
     const Outcome outcome =
-        run_program(folder, fmt::format("{} {} --{}={}", kind == ScenarioKind::kGrasp ? "hil" : "run",
-                                        kind_name(kind), flag, text_of(parameter, outside)));
+        run_program(folder, fmt::format("{} {} --{}={}", has_device(kind) ? "hil" : "run", kind_name(kind),
+                                        flag, text_of(parameter, outside)));
     EXPECT_EQ(outcome.exit_code, 2);
     test::expect_one_line(outcome.err);
     EXPECT_NE(outcome.err.find(describe_range(parameter)), std::string::npos) << outcome.err;

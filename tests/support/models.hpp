@@ -77,9 +77,26 @@ inline void expect_same(const LatticeBox& a, const LatticeBox& b) {
   EXPECT_EQ(max_a, max_b);
 }
 
+inline void expect_same(const ContactRules& a, const ContactRules& b) {
+  const auto& [radius_a, stiffness_a, damping_a, friction_a, limit_a, slew_a, passivity_a] = a;
+  const auto& [radius_b, stiffness_b, damping_b, friction_b, limit_b, slew_b, passivity_b] = b;
+  const auto& [ceiling_a, most_damping_a] = passivity_a;
+  const auto& [ceiling_b, most_damping_b] = passivity_b;
+  EXPECT_EQ(radius_a, radius_b);
+  EXPECT_EQ(stiffness_a, stiffness_b);
+  EXPECT_EQ(damping_a, damping_b);
+  EXPECT_EQ(friction_a, friction_b);
+  EXPECT_EQ(limit_a, limit_b);
+  EXPECT_EQ(slew_a, slew_b);
+  EXPECT_EQ(ceiling_a, ceiling_b);
+  EXPECT_EQ(most_damping_a, most_damping_b);
+}
+
 inline void expect_same(const Model& a, const Model& b) {
-  const auto& [block_a, level_a, materials_a, density_a, dynamics_a, remesh_a, held_a, reach_a] = a;
-  const auto& [block_b, level_b, materials_b, density_b, dynamics_b, remesh_b, held_b, reach_b] = b;
+  const auto& [block_a, level_a, materials_a, density_a, dynamics_a, remesh_a, held_a, reach_a, contact_a] =
+      a;
+  const auto& [block_b, level_b, materials_b, density_b, dynamics_b, remesh_b, held_b, reach_b, contact_b] =
+      b;
   const auto& [rotation_a, stretch_a] = remesh_a;
   const auto& [rotation_b, stretch_b] = remesh_b;
   expect_same(block_a, block_b);
@@ -91,13 +108,15 @@ inline void expect_same(const Model& a, const Model& b) {
   expect_same(stretch_a, stretch_b);
   for (std::size_t i = 0; i < kHolds; ++i) expect_same(held_a[i], held_b[i]);
   EXPECT_EQ(reach_a, reach_b);
+  expect_same(contact_a, contact_b);
 }
 
 inline void expect_same(const firmware::Scene& a, const firmware::Scene& b) {
-  const auto& [edges_a, origin_a, mantissa_a, exponent_a] = a;
-  const auto& [edges_b, origin_b, mantissa_b, exponent_b] = b;
+  const auto& [edges_a, origin_a, rotation_a, mantissa_a, exponent_a] = a;
+  const auto& [edges_b, origin_b, rotation_b, mantissa_b, exponent_b] = b;
   EXPECT_EQ(edges_a, edges_b);
   EXPECT_EQ(origin_a, origin_b);
+  EXPECT_EQ(rotation_a, rotation_b);
   EXPECT_EQ(mantissa_a, mantissa_b);
   EXPECT_EQ(exponent_a, exponent_b);
 }

@@ -8,7 +8,8 @@ namespace palpate::test {
 
 using firmware::CycleModel;
 
-/// Two materials, a hole, a mesh that changes, both ends held; no two numbers alike by chance.
+/// Two materials, a hole, a mesh that changes, both ends held, a tool that touches; no two numbers alike by
+/// chance.
 inline CycleModel sample_model() {
   sim::ModelParameters parameters;
   parameters.cubes = {1, 2, 2};
@@ -18,8 +19,13 @@ inline CycleModel sample_model() {
   parameters.substeps = 3;
   parameters.held = sim::HeldEnds::kBoth;
   parameters.grasp_reach_m = 0.02;
+  parameters.contact.tool_radius_m = 0.004;
+  parameters.contact.stiffness_n_m = 20.0;
+  parameters.contact.damping_n_s_m = 0.012;
   sim::SceneParameters scene;
   scene.body_centre_in_device_m = {0.11, -0.02, -0.13};
+  scene.device_rotation_deg = {10.0, -20.0, 35.0};
+  scene.motion_scale = 0.7;
   scene.force_scale = 3.0;
   return CycleModel{compile_model(parameters), compile_scene(scene, parameters)};
 }
