@@ -40,6 +40,10 @@ class Amplifiers {
   void receive(const AmplifierInput& input);
 
   [[nodiscard]] bool is_dropped_out() const { return ticks_without_edge_ >= parameters_.watchdog_ticks; }
+  /// Dropped out while an axis should be on: what the amplifiers report.
+  [[nodiscard]] bool is_cut() const {
+    return is_dropped_out() && (input_.is_enabled[0] || input_.is_enabled[1] || input_.is_enabled[2]);
+  }
   [[nodiscard]] bool is_on(std::size_t axis) const { return input_.is_enabled[axis] && !is_dropped_out(); }
   /// (code - 2048) I_fs / 2047 within +-the limit, A.
   [[nodiscard]] double target_current(std::size_t axis) const;

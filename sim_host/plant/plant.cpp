@@ -69,7 +69,8 @@ PlantOutput Plant::output() const {
   return {tick_,
           read_counters(counts),
           {kGimbalMiddle, kGimbalMiddle, kGimbalMiddle},
-          hand_ ? hand_->buttons(seconds()) : uint16_t{0}};
+          hand_ ? hand_->buttons(seconds()) : uint16_t{0},
+          amplifiers_.is_cut()};
 }
 
 PlantTruth Plant::truth() const {

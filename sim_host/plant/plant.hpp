@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "plant/amplifier.hpp"
 #include "plant/arm_dynamics.hpp"
@@ -23,6 +24,7 @@ struct PlantOutput {
   std::array<int16_t, 3> encoder_counts;  ///< the 16-bit counters, joint order, see encoders.hpp
   std::array<uint16_t, 3> gimbal_adc;     ///< 12 bits; a placeholder: the gimbal rests at 2048
   uint16_t buttons;                       ///< one bit each, as hal/ports' read_buttons
+  bool amplifiers_cut;                    ///< enabled, but their watchdog has cut them
 };
 
 /// What no controller sees. SI and deg C, in the device's frame.
@@ -55,6 +57,9 @@ class Plant {
   explicit Plant(const PlantParameters& parameters, std::optional<Hand> hand = std::nullopt);
 
   PlantOutput step(const PlantInput& input);
+
+  /// From now on another hand holds the handle, or none does.
+  void hand_over(std::optional<Hand> hand) { hand_ = std::move(hand); }
 
   /// The last output again; before the first step, what a controller reads at power on.
   [[nodiscard]] PlantOutput output() const;

@@ -1,0 +1,59 @@
+// The firmware's cycle in this process. It does with a message what the firmware's tick does with its ports.
+#pragma once
+
+#include <functional>
+
+#include "hil/controller.hpp"
+#include "palpate/firmware/cycle.hpp"
+
+namespace palpate::sim {
+
+inline firmware::Sensors sensors_of(const link::SensorsMessage& message, safety::EventSet requests) {
+  using safety::Condition;
+  using safety::ConditionSet;
+  firmware::DeviceReport report{};
+  report.timing = {message.tick, message.tick, false};
+  report.reported = ConditionSet::of(Condition::kEmergencyStop, message.emergency_stop_pressed) |
+                    ConditionSet::of(Condition::kAmplifierFault, message.amplifier_fault) |
+                    ConditionSet::of(Condition::kWatchdog, message.amplifiers_cut);
+  report.requests = requests;
+  constexpr uint8_t kGraspButton = 1;
+  const std::array<uint16_t, 3>& gimbal = message.gimbal_adc;
+  return {message.encoder_counts,
+          (message.buttons & kGraspButton) != 0,
+          {gimbal[0], gimbal[1], gimbal[2]},
+          report};
+}
+
+template <class Profile, class Probe>
+class HostController final : public Controller {
+ public:
+  HostController(firmware::CycleState<Profile>& state, Probe& probe) : state_(state), probe_(probe) {}
+
+  /// Sees what each cycle was fed with, after it.
+  std::function<void(const firmware::Sensors&)> on_cycle = [](const firmware::Sensors&) {};
+
+  link::ActuatorsMessage answer(const link::SensorsMessage& sensors, safety::EventSet requests) override {
+    firmware::Actuators actuators{};
+    const firmware::Sensors read = sensors_of(sensors, requests);
+    firmware::cycle(state_, read, actuators, probe_);
+    on_cycle(read);
+    watchdog_level_ = !watchdog_level_;
+    const bool on = actuators.amplifiers_enabled;
+    return {sensors.tick,
+            actuators.motor_codes,
+            {on, on, on},
+            watchdog_level_,
+            static_cast<uint8_t>(state_.fault),
+            static_cast<uint8_t>(state_.safety.state),
+            static_cast<uint16_t>(state_.safety.raised.bits()),
+            state_.output.flags};
+  }
+
+ private:
+  firmware::CycleState<Profile>& state_;
+  Probe& probe_;
+  bool watchdog_level_ = false;
+};
+
+}  // namespace palpate::sim
