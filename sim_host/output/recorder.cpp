@@ -120,6 +120,7 @@ Recording record(Simulation& simulation, const Scenario& scenario, const RunFold
     watch(sample);
     if (is_interrupted()) throw Interrupted();
   }
+  simulation.end();
   recording.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   recording.state_hash = simulation.hashes().back();
   forces.close();

@@ -30,6 +30,10 @@ Recording record(Simulation& simulation, const Scenario& scenario, const RunFold
 void write_summary(const Recording& recording, const Simulation& simulation, const Scenario& scenario,
                    const std::filesystem::path& path);
 
+struct LinkRun;
+/// The same of a firmware behind a link, as far as its console and the device know it.
+void write_link_summary(const LinkRun& run, const Scenario& scenario, const std::filesystem::path& path);
+
 /// Names of the set bits.
 std::vector<std::string> flag_names(uint32_t flags);
 

@@ -38,8 +38,9 @@ fs::path without_trailing_slash(const fs::path& path) {
 
 const std::vector<std::string>& RunFolder::run_files() {
   static const std::vector<std::string> names = {
-      "summary.json", "force.csv",       "hash.csv",         "nodes.csv",        "force.svg",     "body.png",
-      "body.svg",     "motor_codes.svg", "displacement.svg", VtuSeries::kFolder, VtuSeries::kList};
+      "summary.json",    "force.csv",        "hash.csv",         "nodes.csv",     "force.svg",
+      "body.png",        "device.csv",       "console.csv",      "model.palpate", "body.svg",
+      "motor_codes.svg", "displacement.svg", VtuSeries::kFolder, VtuSeries::kList};
   return names;
 }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hil/link_run.hpp"
 #include "output/output_file.hpp"
 #include "output/recorder.hpp"
 #include "palpate/tick/state.hpp"
@@ -35,6 +36,23 @@ Json parameters_of(const Scenario& scenario) {
   return parameters;
 }
 
+void write_json(const Json& json, const std::filesystem::path& path) {
+  write_whole_file(path.string(), json.dump(2) + "\n");
+}
+
+/// How hand and tool hang together.
+Json device_of(const SceneParameters& scene) {
+  const std::array<double, 9> r = device_rotation(scene);
+  Json device;
+  device["rotation"] = {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
+  device["rotation_deg"] = scene.device_rotation_deg;
+  device["body_centre_m"] = scene.body_centre_in_device_m;
+  device["motion_scale"] = scene.motion_scale;
+  device["force_scale"] = scene.force_scale;
+  device["work_scale"] = scene.work_scale();
+  return device;
+}
+
 }  // namespace
 
 std::vector<std::string> flag_names(uint32_t flags) {
@@ -52,6 +70,9 @@ std::vector<std::string> flag_names(uint32_t flags) {
   add(TickFlag::kNodesFull, "nodes_full");
   add(TickFlag::kGroupsFull, "groups_full");
   add(TickFlag::kTethersFull, "tethers_full");
+  add(TickFlag::kTouching, "touching");
+  add(TickFlag::kContactsFull, "contacts_full");
+  add(TickFlag::kBraking, "braking");
   return names;
 }
 
@@ -79,12 +100,26 @@ void write_summary(const Recording& recording, const Simulation& simulation, con
   summary["flags"] = flag_names(recording.all_flags);
   summary["clamps"] = {
       {"speed", totals.clamps.speed}, {"position", totals.clamps.position}, {"strain", totals.clamps.strain}};
+  if (simulation.has_device()) summary["device"] = device_of(scenario.scene);
   summary["failure"] = simulation.failure() ? Json(*simulation.failure()) : Json(nullptr);
   summary["parameters"] = parameters_of(scenario);
-  const std::string text = summary.dump(2) + "\n";
-  OutputFile file(path.string());
-  file.write(text.data(), text.size());
-  file.close();
+  write_json(summary, path);
+}
+
+void write_link_summary(const LinkRun& run, const Scenario& scenario, const std::filesystem::path& path) {
+  Json summary;
+  summary["version"] = PALPATE_VERSION;
+  summary["scenario"] = scenario.name;
+  summary["profile"] = scenario.profile;
+  summary["board"] = scenario.board;
+  summary["link"] = scenario.link;
+  summary["ticks"] = run.ticks;
+  summary["peak_hand_force_N"] = run.peak_hand_force_n;
+  summary["state_hash"] = run.state_hash;
+  summary["safety_state"] = run.last_state;
+  summary["device"] = device_of(scenario.scene);
+  summary["parameters"] = parameters_of(scenario);
+  write_json(summary, path);
 }
 
 }  // namespace palpate::sim

@@ -173,7 +173,9 @@ const CLI::App* chosen_command(const CLI::App& app) {
   if (chosen.empty()) {
     const auto extras = app.remaining();
     throw BadInput(fmt::format(
-        "{}; the commands are compare, hil, model, paper, run and table1, see palpate --help",
+        "{}; the commands are compare, hil, inspect, model, paper, record, replay, run and table1, see "
+        "palpate "
+        "--help",
         extras.empty() ? "no command is given" : fmt::format("there is no command '{}'", extras[0])));
   }
   refuse_extras(*chosen[0]);
@@ -216,6 +218,39 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
   paper->footer("Example: palpate paper --out out/paper, then open out/paper/report.html");
   paper->allow_extras();
 
+  CLI::App* record =
+      app.add_subcommand("record", "record a device on a bench, from its firmware's telemetry");
+  RecordRequest recorded{"", "", "cuboid-paper", "recording.plp", 0};
+  record->add_option("--port", recorded.port, "serial line to the board")->option_text("LINE")->required();
+  record->add_option("--model", recorded.model, "container that the board was given")
+      ->option_text("FILE")
+      ->required();
+  record->add_option("--profile", recorded.profile, "profile of its firmware; default cuboid-paper")
+      ->option_text("NAME")
+      ->check(CLI::IsMember({"cuboid-paper", "cuboid-dense", "organ", "small"}));
+  record->add_option("--out", recorded.out, "file to write; default recording.plp")->option_text("FILE");
+  record->add_option("--ticks", recorded.ticks, "when to stop; 0: at Ctrl-C")->option_text("TICKS");
+  record->footer("Example: palpate record --port /dev/ttyACM0 --model model.palpate --profile small");
+  record->allow_extras();
+
+  CLI::App* replay = app.add_subcommand("replay", "run a recording again, and say where it differs");
+  CLI::App* inspect = app.add_subcommand("inspect", "what a recording holds");
+  std::string recording_path;
+  std::string inspection_folder;
+  bool as_json = false;
+  uint32_t from_tick = 0;
+  for (CLI::App* command : {replay, inspect}) {
+    command->add_option("FILE", recording_path, "recording")->required();
+    command->allow_extras();
+  }
+  replay->add_option("--from-tick", from_tick, "begin with the last snapshot at or before it")
+      ->option_text("TICK");
+  replay->footer("Example: palpate replay out/touch/recording.plp");
+  inspect->add_option("--out", inspection_folder, "also write it, with pictures, into a folder")
+      ->option_text("FOLDER");
+  inspect->add_flag("--json", as_json, "print it for a program");
+  inspect->footer("Example: palpate inspect out/touch/recording.plp --out out/inspect");
+
   parse(app, argc, argv);
   const CLI::App* chosen = chosen_command(app);
   if (chosen == run.app()) return run_scenario(run.scenario(), "run");
@@ -223,6 +258,9 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
   if (chosen == table1.app()) return make_table1(table1.request());
   if (chosen == paper) return run_paper(report_folder, is_quick);
   if (chosen == compare) return compare_runs(first, second);
+  if (chosen == record) return record_device(recorded);
+  if (chosen == replay) return replay_recording(recording_path, from_tick);
+  if (chosen == inspect) return inspect_recording(recording_path, inspection_folder, as_json);
   return describe_model(model.scenario(), image, container);
 }
 

@@ -37,6 +37,13 @@ std::string spell(const RemeshRules& rules) {
                      braces(s.levels, levels));
 }
 
+std::string spell(const ContactRules& rules) {
+  return fmt::format("{{{}, {}, {}, {},\n     {}, {}, {{{}, {}}}}}", spell(rules.radius),
+                     spell(rules.stiffness), spell(rules.damping), spell(rules.friction),
+                     spell(rules.force_limit), spell(rules.slew), rules.passivity.ceiling,
+                     spell(rules.passivity.most_damping));
+}
+
 std::string spell(const Model& model) {
   const auto number = [](auto value) { return fmt::format("{}", value); };
   const auto material = [](const Material& m) {
@@ -50,13 +57,16 @@ std::string spell(const Model& model) {
          fmt::format("    {{{}, {}, {},\n     {}, {}}},  // dynamics\n", d.substeps, spell(d.mass_damping),
                      spell(d.stiffness_damping), spell(d.impulse_mantissa), d.impulse_exponent) +
          spell(model.remesh) +
-         fmt::format("    {{{}}},  // held\n    {}}}", braces(model.held, box), spell(model.grasp_reach));
+         fmt::format("    {{{}}},  // held\n    {},\n    {}}}", braces(model.held, box),
+                     spell(model.grasp_reach), spell(model.contact));
 }
 
 std::string spell(const firmware::Scene& scene) {
   const auto coordinate = [](Position x) { return spell(x); };
-  return fmt::format("{{{},\n    {{{}}},\n    {}, {}}}", spell(scene.edges_per_metre),
-                     braces(scene.device_origin, coordinate), spell(scene.newton_mantissa),
+  const auto entry = [](RotationEntry x) { return spell(x); };
+  return fmt::format("{{{},\n    {{{}}},\n    {{{}}},  // rotation\n    {}, {}}}",
+                     spell(scene.edges_per_metre), braces(scene.device_origin, coordinate),
+                     braces(scene.device_rotation, entry), spell(scene.newton_mantissa),
                      scene.newton_exponent);
 }
 
@@ -79,7 +89,7 @@ std::string firmware_image_source(const Scenario& scenario) {
                     kind_name(scenario.kind)));
   }
   const Model body = compile_model(scenario.model);
-  const firmware::Scene scene = compile_scene(scenario.grasp.scene, scenario.model);
+  const firmware::Scene scene = compile_scene(scenario.scene, scenario.model);
   const auto rows = grasp_script(scenario);
   return fmt::format(
       "// Written by `palpate model {0} --firmware-image`; a change here is lost.\n"

@@ -44,13 +44,6 @@ bool is_check(container::ReadStatus status) {
 
 }  // namespace
 
-firmware::CycleModel cycle_model(const Scenario& scenario) {
-  SceneParameters scene;
-  scene.body_centre_in_device_m = {0.0, 0.0, 0.0};
-  if (scenario.kind == ScenarioKind::kGrasp) scene = scenario.grasp.scene;
-  return {compile_model(scenario.model), compile_scene(scene, scenario.model)};
-}
-
 std::string model_container(const Scenario& scenario) {
   std::string file = written(cycle_model(scenario), scenario.name);
   const uint8_t deepest =

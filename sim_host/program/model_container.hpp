@@ -8,10 +8,6 @@
 
 namespace palpate::sim {
 
-/// The model of a scenario that is complete, for the firmware's cycle. A scenario without a device gets a
-/// scene whose device is at the body's centre.
-firmware::CycleModel cycle_model(const Scenario& scenario);
-
 /// The bytes of the file. They have been read back with the scenario's profile and are the same model; throws
 /// BadInput where the reader refuses it.
 std::string model_container(const Scenario& scenario);

@@ -77,7 +77,8 @@ void require_levels_of_profile(const ModelParameters& model) {
   }
 }
 
-/// Levels that follow from the level at start get their values, so that a summary names them.
+/// Levels that follow from the level at start get their values, so that a summary names them, as it does
+/// those of a contact.
 void complete_levels(ModelParameters& model) {
   for (RegionParameters& region : model.regions) {
     region.least_level = model.least_level(region);
@@ -96,6 +97,7 @@ Fit fit(Scenario& scenario) {
   if (!may_fit || try_level(scenario, level, *state) != Status::kDone) refuse(scenario, *state);
   check_domain(scenario.model);  // with the levels that the mesh may go to
   complete_levels(scenario.model);
+  scenario.model.contact = complete_contact(scenario.model);
   return Fit{state->forest.leaf_count, state->forest.nodes.used(), sizeof(State<Profile>),
              sizeof(firmware::CycleState<Profile>)};
 }

@@ -1,7 +1,7 @@
 // The firmware's cycle on this machine, its sensors fed from the scenario's script.
-#include "palpate/firmware/cycle.hpp"
 #include "scenario/grasp_script.hpp"
-#include "simulation/body_reading.hpp"
+#include "simulation/cycle_reading.hpp"
+#include "simulation/cycle_recorder.hpp"
 #include "simulation/read_fields.hpp"
 #include "simulation/stage_clock.hpp"
 #include "simulation/with_profile.hpp"
@@ -16,9 +16,8 @@ class DeviceSimulation final : public Simulation {
       : scenario_(scenario),
         rows_(grasp_script(scenario)),
         state_(std::make_unique<firmware::CycleState<Profile>>()) {
-    const firmware::CycleModel model{compile_model(scenario.model),
-                                     compile_scene(scenario.grasp.scene, scenario.model)};
-    require_started<Profile>(firmware::start(*state_, model));
+    require_started<Profile>(firmware::start(*state_, cycle_model(scenario)));
+    recorder_ = make_recorder(scenario_, *state_, false);
     watched_ = find_node(state_->core, scenario_, kNodeToleranceMm);
   }
 
@@ -29,21 +28,15 @@ class DeviceSimulation final : public Simulation {
                                     (row.buttons & firmware::ScriptRow::kGraspButton) != 0};
     firmware::Actuators actuators{};
     firmware::cycle(*state_, sensors, actuators, clock_);
+    if (recorder_) recorder_->note(sensors);
     was_button_pressed_ = was_button_pressed_ || sensors.grasp_button;
     was_grasping_ = was_grasping_ || state_->core.grasp.holds();
     return state_->fault == firmware::Fault::kNone && state_->core.tick < rows_.size();
   }
-  [[nodiscard]] Sample sample() const override {
-    const ModelParameters& model = scenario_.model;
-    return Sample{state_->core.tick,
-                  to_mm(state_->input.tool, model),
-                  displacement_mm(state_->core, watched_, model.edge_m),
-                  to_doubles(state_->force),
-                  state_->motor_codes,
-                  state_->output.flags,
-                  state_->core.forest.leaf_count,
-                  state_->core.front.groups.used()};
+  void end() override {
+    if (recorder_) recorder_->end();
   }
+  [[nodiscard]] Sample sample() const override { return cycle_sample(*state_, scenario_.model, watched_); }
   [[nodiscard]] uint32_t expected_ticks() const override { return static_cast<uint32_t>(rows_.size()); }
   [[nodiscard]] bool has_device() const override { return true; }
   [[nodiscard]] std::vector<double> stage_ms() const override { return clock_.milliseconds(); }
@@ -51,22 +44,8 @@ class DeviceSimulation final : public Simulation {
   [[nodiscard]] BodyShape shape() const override { return read_shape(state_->core, scenario_.model); }
   [[nodiscard]] BodyFields fields() const override { return read_fields(state_->core, scenario_.model); }
 
-  [[nodiscard]] std::vector<std::string> hash_names() const override {
-    std::vector<std::string> names;
-    for (uint32_t i = 0; i < firmware::kStageCount; ++i) {
-      names.emplace_back(firmware::stage_name(static_cast<firmware::Stage>(i)));
-    }
-    names.emplace_back("state");
-    return names;
-  }
-  [[nodiscard]] std::vector<uint64_t> hashes() const override {
-    std::vector<uint64_t> values;
-    for (uint32_t i = 0; i < firmware::kStageCount; ++i) {
-      values.push_back(firmware::stage_hash(*state_, static_cast<firmware::Stage>(i)));
-    }
-    values.push_back(firmware::state_hash(*state_));
-    return values;
-  }
+  [[nodiscard]] std::vector<std::string> hash_names() const override { return cycle_hash_names(); }
+  [[nodiscard]] std::vector<uint64_t> hashes() const override { return cycle_hashes(*state_); }
   [[nodiscard]] std::optional<std::string> failure() const override {
     if (was_button_pressed_ && !was_grasping_) {
       return fmt::format("nothing was grasped: no node was within {:g} mm of the tool (grasp_reach_m)",
@@ -81,6 +60,7 @@ class DeviceSimulation final : public Simulation {
   Scenario scenario_;
   std::vector<firmware::ScriptRow> rows_;
   std::unique_ptr<firmware::CycleState<Profile>> state_;
+  std::unique_ptr<CycleRecorder<Profile>> recorder_;
   StageClock<firmware::Stage, firmware::kStageCount> clock_;
   uint16_t watched_;
   bool was_button_pressed_ = false;

@@ -51,6 +51,8 @@ class Simulation {
 
   /// Runs one tick. False when the scenario ended with it.
   virtual bool advance() = 0;
+  /// After the last tick, once: closes what the simulation itself writes.
+  virtual void end() {}
   [[nodiscard]] virtual Sample sample() const = 0;
   /// Most ticks that the scenario takes.
   [[nodiscard]] virtual uint32_t expected_ticks() const = 0;
