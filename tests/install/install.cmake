@@ -5,7 +5,7 @@ file(REMOVE_RECURSE ${PREFIX})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX})
 
 set(expected
-  "^include/palpate/(numeric|memory|mesh|elastic|remesh|solve|touch|embed|tick|ports|phantom|container|firmware|link|safety)/[a-z0-9_]+\\.hpp$"
+  "^include/palpate/(numeric|memory|mesh|elastic|remesh|solve|touch|embed|tick|ports|phantom|container|firmware|link|safety|telemetry)/[a-z0-9_]+\\.hpp$"
   "^lib[^/]*(/[^/]+-linux-gnu)?/libpalpate_(core|hal)_[a-z]+\\.a$"
   "^lib[^/]*(/[^/]+-linux-gnu)?/cmake/palpate/palpate-[a-z-]+\\.cmake$"
   "^share/doc/palpate/LICENSE$"
@@ -22,7 +22,7 @@ foreach(file IN LISTS files)
     message(FATAL_ERROR "${file} is installed, but is not for users")
   endif()
 endforeach()
-foreach(header numeric/q tick/tick phantom/premium ports/encoders container/chunk_reader firmware/cycle link/frame_reader safety/safety)
+foreach(header numeric/q tick/tick phantom/premium ports/encoders container/chunk_reader firmware/cycle link/frame_reader safety/safety telemetry/ring)
   if(NOT "include/palpate/${header}.hpp" IN_LIST files)
     message(FATAL_ERROR "palpate/${header}.hpp is not installed")
   endif()
