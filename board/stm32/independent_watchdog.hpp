@@ -5,7 +5,8 @@
 
 namespace palpate::stm32 {
 
-template <uint32_t Base>
+/// `OscillatorControl`: where its clock is switched on, RCC_CSR.
+template <uint32_t Base, uint32_t OscillatorControl>
 struct IndependentWatchdog {
   using Key = cortex_m::Register<Base + 0x0>;        // IWDG_KR
   using Prescaler = cortex_m::Register<Base + 0x4>;  // IWDG_PR
@@ -14,6 +15,15 @@ struct IndependentWatchdog {
 
   static constexpr uint32_t kFeed = 0xAAAA;
   static constexpr uint32_t kStart = 0xCCCC;
+
+  /// False when its clock does not start.
+  [[nodiscard]] static bool start_clock() {
+    using Oscillator = cortex_m::Register<OscillatorControl>;
+    constexpr uint32_t kOn = 1u << 0;  // LSION
+    constexpr uint32_t kReady = 1u << 1;
+    Oscillator::set(kOn);
+    return cortex_m::wait_until<Oscillator>(kReady, kReady);
+  }
 
   /// 80 periods of 32 kHz / 4: 10 ms. Its clock runs already; false when the values do not arrive.
   [[nodiscard]] static bool set_ten_milliseconds() {

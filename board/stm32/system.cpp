@@ -4,6 +4,7 @@
 #include "link.hpp"
 #include "palpate/ports/console.hpp"
 #include "palpate/ports/model_memory.hpp"
+#include "setup.hpp"
 #include "startup.hpp"
 
 namespace palpate::port {
@@ -41,7 +42,7 @@ void initialize_board() {
   cortex_m::start_cycle_counter();
   stm32::Console::start((stm32::g_console_clock_hz + stm32::kConsoleBaud / 2) / stm32::kConsoleBaud);
   report(runs_at_speed, "clock: the crystal or the multiplier does not start");
-  report(stm32::start_watchdog_clock() && stm32::Watchdog::set_ten_milliseconds(), "watchdog: no clock");
+  report(stm32::Watchdog::start_clock() && stm32::Watchdog::set_ten_milliseconds(), "watchdog: no clock");
   stm32::Encoder1::make_decoder();
   stm32::Encoder2::make_decoder();
   stm32::Encoder3::make_decoder();

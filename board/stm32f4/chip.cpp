@@ -1,4 +1,5 @@
 #include "chip.hpp"
+#include "setup.hpp"
 
 namespace palpate::stm32 {
 

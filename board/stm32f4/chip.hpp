@@ -33,10 +33,10 @@ using EmergencyStop = Pin<PortC, 10>;
 inline constexpr uint32_t kAmplifierFaultPins = (1u << 9) | (1u << 11) | (1u << 12);
 inline constexpr uint32_t kSecondButton = 1u << 1;  // of read_buttons
 
-using Watchdog = IndependentWatchdog<0x4000'3000>;
-using ResetCause = cortex_m::Register<0x4002'3874>;     // RCC_CSR, RM0090, 7.3.21
-inline constexpr uint32_t kResetByWatchdog = 1u << 29;  // IWDGRSTF
-inline constexpr uint32_t kForgetResets = 1u << 24;     // RMVF
+using Watchdog = IndependentWatchdog<0x4000'3000, 0x4002'3874>;  // RCC_CSR: RM0090, 7.3.21
+using ResetCause = cortex_m::Register<0x4002'3874>;              // RCC_CSR, RM0090, 7.3.21
+inline constexpr uint32_t kResetByWatchdog = 1u << 29;           // IWDGRSTF
+inline constexpr uint32_t kForgetResets = 1u << 24;              // RMVF
 
 /// ADC1 (RM0090, 13.13).
 struct GimbalConverter {
@@ -60,22 +60,5 @@ inline constexpr uint32_t kConsoleBaud = 460'800;
 inline constexpr uint32_t kLinkBaud = 921'600;
 using LinkReceiver = DmaStream<0x4002'6000, 1>;              // DMA1, stream 1
 inline constexpr uint32_t kLinkReceiverSettings = 4u << 25;  // channel 4: USART3_RX (RM0090, table 42)
-
-// Of the units' clocks, once they run.
-inline uint32_t g_console_clock_hz = 0;
-inline uint32_t g_link_clock_hz = 0;
-
-/// Clocks of all units that are used.
-void enable_units();
-/// False when the processor stays at the clock that it has from reset.
-[[nodiscard]] bool initialize_clocks();
-[[nodiscard]] bool start_watchdog_clock();
-/// All pins but the motors'.
-void initialize_pins();
-/// The motors' pins, when their signal is that of no current.
-void connect_motors();
-[[nodiscard]] bool start_gimbal_converter();
-/// What differs between processors.
-void initialize_core();
 
 }  // namespace palpate::stm32

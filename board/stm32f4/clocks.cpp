@@ -1,6 +1,7 @@
 // 168 MHz from a crystal of 8 MHz, or from the internal oscillator when there is none (RM0090, chapter 7).
 #include "chip.hpp"
 #include "core_clock.hpp"
+#include "setup.hpp"
 
 namespace palpate::stm32 {
 namespace {
@@ -15,7 +16,6 @@ using ClockConfiguration = cortex_m::Register<0x4002'3808>;  // RCC_CFGR, 7.3.3
 using Ahb1Enable = cortex_m::Register<0x4002'3830>;          // 7.3.10
 using Apb1Enable = cortex_m::Register<0x4002'3840>;          // 7.3.13
 using Apb2Enable = cortex_m::Register<0x4002'3844>;          // 7.3.14
-using ClockStatus = cortex_m::Register<0x4002'3874>;         // RCC_CSR, 7.3.21
 using FlashAccess = cortex_m::Register<0x4002'3C00>;         // FLASH_ACR, 3.9.1
 
 [[nodiscard]] bool start_multiplier(uint32_t source_hz, bool from_crystal) {
@@ -68,13 +68,6 @@ bool initialize_clocks() {
   g_console_clock_hz = kCoreHz / 4;  // both on APB1
   g_link_clock_hz = kCoreHz / 4;
   return has_crystal;
-}
-
-bool start_watchdog_clock() {
-  constexpr uint32_t kOn = 1u << 0;  // LSION
-  constexpr uint32_t kReady = 1u << 1;
-  ClockStatus::set(kOn);
-  return cortex_m::wait_until<ClockStatus>(kReady, kReady);
 }
 
 }  // namespace palpate::stm32

@@ -1,5 +1,6 @@
 #include "chip.hpp"
 #include "core_setup.hpp"
+#include "setup.hpp"
 
 namespace palpate::stm32 {
 namespace {

@@ -35,10 +35,10 @@ using GraspButton = Pin<PortE, 7>;
 using SecondButton = Pin<PortE, 8>;
 inline constexpr uint32_t kSecondButton = 1u << 1;  // of read_buttons
 
-using Watchdog = IndependentWatchdog<0x5800'4800>;      // IWDG1
-using ResetCause = cortex_m::Register<0x5802'44D0>;     // RCC_RSR, RM0433, chapter 8
-inline constexpr uint32_t kResetByWatchdog = 1u << 26;  // IWDG1RSTF
-inline constexpr uint32_t kForgetResets = 1u << 16;     // RMVF
+using Watchdog = IndependentWatchdog<0x5800'4800, 0x5802'4474>;  // IWDG1
+using ResetCause = cortex_m::Register<0x5802'44D0>;              // RCC_RSR, RM0433, chapter 8
+inline constexpr uint32_t kResetByWatchdog = 1u << 26;           // IWDG1RSTF
+inline constexpr uint32_t kForgetResets = 1u << 16;              // RMVF
 
 /// ADC1 (RM0433, chapter 25).
 struct GimbalConverter {
@@ -65,22 +65,5 @@ inline constexpr uint32_t kLinkBaud = 921'600;
 using LinkReceiver = DmaStream<0x4002'0000, 0>;  // DMA1, stream 0; its request: connect_link_receiver
 // TRBUFF: without it a stream can stop for good at a USART (errata ES0392).
 inline constexpr uint32_t kLinkReceiverSettings = 1u << 20;
-
-// Of the units' clocks, once they run.
-inline uint32_t g_console_clock_hz = 0;
-inline uint32_t g_link_clock_hz = 0;
-
-/// Clocks of all units that are used.
-void enable_units();
-/// False when the processor does not run from its crystal.
-[[nodiscard]] bool initialize_clocks();
-[[nodiscard]] bool start_watchdog_clock();
-/// All pins but the motors'.
-void initialize_pins();
-/// The motors' pins, when their signal is that of no current.
-void connect_motors();
-[[nodiscard]] bool start_gimbal_converter();
-/// What differs between processors.
-void initialize_core();
 
 }  // namespace palpate::stm32

@@ -1,6 +1,7 @@
 // 480 MHz from 8 MHz (RM0433, chapters 6 and 8); parts before revision V reach 400 MHz.
 #include "chip.hpp"
 #include "core_clock.hpp"
+#include "setup.hpp"
 
 namespace palpate::stm32 {
 namespace {
@@ -18,7 +19,6 @@ using MultiplierSource = cortex_m::Register<0x5802'4428>;  // RCC_PLLCKSELR
 using MultiplierSettings = cortex_m::Register<0x5802'442C>;
 using MultiplierFactors = cortex_m::Register<0x5802'4430>;  // RCC_PLL1DIVR
 using Domain3Sources = cortex_m::Register<0x5802'4458>;     // RCC_D3CCIPR
-using ClockStatus = cortex_m::Register<0x5802'4474>;        // RCC_CSR
 using Ahb1Enable = cortex_m::Register<0x5802'44D8>;
 using Ahb2Enable = cortex_m::Register<0x5802'44DC>;
 using Ahb4Enable = cortex_m::Register<0x5802'44E0>;
@@ -111,13 +111,6 @@ bool initialize_clocks() {
   g_console_clock_hz = core_hz / 4;  // both on APB1
   g_link_clock_hz = core_hz / 4;
   return has_outside;
-}
-
-bool start_watchdog_clock() {
-  constexpr uint32_t kOn = 1u << 0;  // LSION
-  constexpr uint32_t kReady = 1u << 1;
-  ClockStatus::set(kOn);
-  return cortex_m::wait_until<ClockStatus>(kReady, kReady);
 }
 
 }  // namespace palpate::stm32
