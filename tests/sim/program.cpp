@@ -9,26 +9,6 @@
 
 namespace palpate::test {
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "palpate-test-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::vector<std::string> TemporaryFolder::contents() const {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
-    names.push_back(entry.path().lexically_relative(path_).string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 Outcome run_program(const TemporaryFolder& folder, const std::string& arguments, const std::string& before) {
   const TemporaryFolder streams;
   const std::string out = (streams / "out").string();

@@ -7,30 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
+
 namespace palpate::test {
 
 struct Outcome {
   int exit_code;
   std::string out, err;
-};
-
-/// An empty folder that goes with its owner.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder(TemporaryFolder&&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-  ~TemporaryFolder();
-
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Names of everything below, hidden files too.
-  [[nodiscard]] std::vector<std::string> contents() const;
-
- private:
-  std::filesystem::path path_;
 };
 
 /// `arguments` are shell words. `before` is shell text that sets limits or variables.
