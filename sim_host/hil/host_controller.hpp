@@ -5,25 +5,9 @@
 
 #include "hil/controller.hpp"
 #include "palpate/firmware/cycle.hpp"
+#include "palpate/telemetry/sensors_message.hpp"
 
 namespace palpate::sim {
-
-inline firmware::Sensors sensors_of(const link::SensorsMessage& message, safety::EventSet requests) {
-  using safety::Condition;
-  using safety::ConditionSet;
-  firmware::DeviceReport report{};
-  report.timing = {message.tick, message.tick, false};
-  report.reported = ConditionSet::of(Condition::kEmergencyStop, message.emergency_stop_pressed) |
-                    ConditionSet::of(Condition::kAmplifierFault, message.amplifier_fault) |
-                    ConditionSet::of(Condition::kWatchdog, message.amplifiers_cut);
-  report.requests = requests;
-  constexpr uint8_t kGraspButton = 1;
-  const std::array<uint16_t, 3>& gimbal = message.gimbal_adc;
-  return {message.encoder_counts,
-          (message.buttons & kGraspButton) != 0,
-          {gimbal[0], gimbal[1], gimbal[2]},
-          report};
-}
 
 template <class Profile, class Probe>
 class HostController final : public Controller {
@@ -35,7 +19,7 @@ class HostController final : public Controller {
 
   link::ActuatorsMessage answer(const link::SensorsMessage& sensors, safety::EventSet requests) override {
     firmware::Actuators actuators{};
-    const firmware::Sensors read = sensors_of(sensors, requests);
+    const firmware::Sensors read = telemetry::sensors_of(sensors, requests);
     firmware::cycle(state_, read, actuators, probe_);
     on_cycle(read);
     watchdog_level_ = !watchdog_level_;

@@ -11,6 +11,7 @@
 
 #include "hil/link_rows.hpp"
 #include "palpate/link/telemetry_messages.hpp"
+#include "palpate/telemetry/sensors_message.hpp"
 #include "recording/recording_writer.hpp"
 
 namespace palpate::sim {
@@ -51,7 +52,7 @@ class LineRecorder {
     // Where one of them is lost, a tick will be missing.
     if (!sensors_ || sensors_->tick != actuators.tick || actuators.watchdog_level != inputs_.has_value())
       return;
-    firmware::Sensors sensors = sensors_of(*sensors_, {});
+    firmware::Sensors sensors = telemetry::sensors_of(*sensors_, {});
     sensors.report.timing.message_number = inputs_ ? inputs_->message_number : last_message_ + 1;
     if (inputs_) {
       sensors.report.timing.is_late = inputs_->is_late;

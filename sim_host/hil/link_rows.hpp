@@ -1,7 +1,7 @@
 // Rows of a recording from messages of the link.
 #pragma once
 
-#include "hil/host_controller.hpp"
+#include "palpate/link/messages.hpp"
 #include "recording/row.hpp"
 
 namespace palpate::sim {

@@ -8,6 +8,9 @@
 
 namespace palpate::plant {
 
+/// Of `buttons`.
+inline constexpr uint16_t kGraspButton = 1;
+
 /// A moment of an intention; position in the device's frame, m. `holds` and `buttons` last until the next
 /// one.
 struct Knot {

@@ -10,7 +10,6 @@ constexpr std::array<double, 3> kBodyCentreM = {0.2, 0.07, -0.234};
 /// Of the surface, at a node of the coarse mesh.
 constexpr std::array<double, 3> kTouchedMm = {32.0, 0.0, 160.0};
 constexpr double kClearM = -0.003;
-constexpr uint16_t kGraspButton = 1;
 
 }  // namespace
 
@@ -65,8 +64,8 @@ plant::Hand scenario_hand() {
                     {0.75, pressed},
                     {0.85, pressed},
                     {1.0, near},
-                    {1.05, near, true, kGraspButton},
-                    {1.4, pulled, true, kGraspButton},
+                    {1.05, near, true, plant::kGraspButton},
+                    {1.4, pulled, true, plant::kGraspButton},
                     {1.5, pulled},
                     {1.8, home()},
                     {2.0, home()}});

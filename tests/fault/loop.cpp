@@ -43,7 +43,7 @@ void Loop::look() {
   ++timer;
   ++reading;
   const safety::EventSet requests = sim::next_request(state(), is_at_reset_pose());
-  now = TickCase{sim::sensors_of(sim::sensors_message(plant.output()), requests)};
+  now = TickCase{telemetry::sensors_of(sim::sensors_message(plant.output()), requests)};
   now.sensors.report.timing = {timer, reading, was_late};
 }
 

@@ -12,6 +12,7 @@
 #include "hil/qemu_firmware.hpp"
 #include "injector.hpp"
 #include "palpate/firmware/model_container.hpp"
+#include "palpate/telemetry/sensors_message.hpp"
 #include "support/containers.hpp"
 #include "support/random.hpp"
 
@@ -73,19 +74,6 @@ std::filesystem::path write_model() {
   return path;
 }
 
-link::SensorsMessage message_of(const firmware::Sensors& sensors) {
-  using safety::Condition;
-  const safety::ConditionSet reported = sensors.report.reported;
-  return {sensors.report.timing.tick_number,
-          sensors.encoder_counts,
-          {static_cast<uint16_t>(sensors.gimbal[0]), static_cast<uint16_t>(sensors.gimbal[1]),
-           static_cast<uint16_t>(sensors.gimbal[2])},
-          static_cast<uint8_t>(sensors.grasp_button ? 1 : 0),
-          reported.has(Condition::kEmergencyStop),
-          reported.has(Condition::kAmplifierFault),
-          reported.has(Condition::kWatchdog)};
-}
-
 /// The firmware answers what the cycle beside it does, to the bit.
 void expect_same(const link::ActuatorsMessage& answer, const Loop& twin) {
   ASSERT_EQ(answer.motor_codes, twin.given.motor_codes);
@@ -113,7 +101,7 @@ class FaultInQemu : public ::testing::Test {
       now.sensors.report.timing.message_number = now.sensors.report.timing.tick_number;
     });
     const firmware::Sensors& sensors = twin_.now.sensors;
-    const auto answer = controller_.answer(message_of(sensors), sensors.report.requests);
+    const auto answer = controller_.answer(telemetry::message_of(sensors), sensors.report.requests);
     ASSERT_NO_FATAL_FAILURE(expect_same(answer, twin_)) << "tick " << twin_.tick();
     ASSERT_NE(answer.watchdog_level, watchdog_level_) << "a cycle in time did not feed the watchdogs";
     watchdog_level_ = answer.watchdog_level;

@@ -161,10 +161,11 @@ TEST(FrameSource, TellsADeviceWhole) {
     TickRecord* record = ring.claim();
     *record = TickRecord{};
     record->tick = tick;
-    record->timing = {100 + tick, 100 + tick, tick == 20};
-    if (tick == 10) record->requests = safety::EventSet::of(safety::Event::kEnable);
-    if (tick == 30) record->reported = safety::ConditionSet::of(safety::Condition::kInvariantBroken);
-    if (tick >= 35) record->timing.tick_number += 5;
+    record->sensors.report.timing = {100 + tick, 100 + tick, tick == 20};
+    if (tick == 10) record->sensors.report.requests = safety::EventSet::of(safety::Event::kEnable);
+    if (tick == 30)
+      record->sensors.report.reported = safety::ConditionSet::of(safety::Condition::kInvariantBroken);
+    if (tick >= 35) record->sensors.report.timing.tick_number += 5;
     ring.publish();
   }
   FrameSource source(telemetry::Tells::kDevice);

@@ -20,6 +20,9 @@ struct SensorsMessage {
   bool amplifiers_cut;  ///< by their watchdog
 };
 
+/// Of `buttons`.
+inline constexpr uint8_t kGraspButton = 1;
+
 /// From the firmware: its answer to the sensors of the same tick.
 struct ActuatorsMessage {
   static constexpr MessageType kType = MessageType::kActuators;

@@ -74,11 +74,13 @@ class ConditionSet {
   uint32_t bits_ = 0;
 };
 
+/// What a device's electronics report.
+inline constexpr ConditionSet kDeviceReports = ConditionSet::of(Condition::kEmergencyStop) |
+                                               ConditionSet::of(Condition::kAmplifierFault) |
+                                               ConditionSet::of(Condition::kWatchdog);
 /// What the monitors cannot see themselves.
-inline constexpr ConditionSet kReported =
-    ConditionSet::of(Condition::kEmergencyStop) | ConditionSet::of(Condition::kAmplifierFault) |
-    ConditionSet::of(Condition::kWatchdog) | ConditionSet::of(Condition::kCorruptModel) |
-    ConditionSet::of(Condition::kInvariantBroken);
+inline constexpr ConditionSet kReported = kDeviceReports | ConditionSet::of(Condition::kCorruptModel) |
+                                          ConditionSet::of(Condition::kInvariantBroken);
 inline constexpr ConditionSet kMonitored = ConditionSet::all().without(kReported);
 
 constexpr const char* condition_name(Condition condition) {

@@ -7,13 +7,14 @@
 // Of a device that the link itself does not carry (Tells::kDevice) a recorder gets all that enters a tick and
 // comes of it, and telemetry makes room for it:
 //
-//   every record               sensors and actuators; inputs, where they are not what follows from the record
-//   before every kTelemetryEvery-th   telemetry
+//   every record               sensors and actuators; inputs, where the record before does not imply them
+//   every kTelemetryEvery-th   telemetry
 #pragma once
 
 #include "palpate/link/frame_reader.hpp"
 #include "palpate/link/frame_writer.hpp"
 #include "palpate/link/telemetry_messages.hpp"
+#include "palpate/telemetry/sensors_message.hpp"
 #include "palpate/telemetry/tick_record.hpp"
 
 namespace palpate::telemetry {
@@ -67,35 +68,20 @@ inline link::MotorsMessage motors(const TickRecord& record) {
           scaled<uint16_t>(record.current_limit, 1000)};
 }
 
-inline link::SensorsMessage sensors(const TickRecord& record) {
-  using safety::Condition;
-  return {record.timing.tick_number,
-          record.encoder_counts,
-          {static_cast<uint16_t>(record.gimbal[0]), static_cast<uint16_t>(record.gimbal[1]),
-           static_cast<uint16_t>(record.gimbal[2])},
-          static_cast<uint8_t>(record.grasp_button ? 1 : 0),
-          record.reported.has(Condition::kEmergencyStop),
-          record.reported.has(Condition::kAmplifierFault),
-          record.reported.has(Condition::kWatchdog)};
+/// What others than the device report.
+constexpr safety::ConditionSet findings(const firmware::DeviceReport& report) {
+  return report.reported.without(safety::kDeviceReports);
 }
 
-/// What the board's device does not report.
-constexpr safety::ConditionSet findings(const TickRecord& record) {
-  using safety::Condition;
-  return record.reported.without(safety::ConditionSet::of(Condition::kEmergencyStop) |
-                                 safety::ConditionSet::of(Condition::kAmplifierFault) |
-                                 safety::ConditionSet::of(Condition::kWatchdog));
-}
-
-constexpr link::InputsMessage inputs(const TickRecord& record) {
-  return {record.timing.tick_number, record.timing.message_number, record.requests.bits(),
-          findings(record).bits(), record.timing.is_late};
+constexpr link::InputsMessage inputs(const firmware::DeviceReport& report) {
+  return {report.timing.tick_number, report.timing.message_number, report.requests.bits(),
+          findings(report).bits(), report.timing.is_late};
 }
 
 /// `has_inputs`: what stands for the watchdog's level, which nobody here has.
 inline link::ActuatorsMessage actuators(const TickRecord& record, bool has_inputs) {
   const bool on = record.amplifiers_enabled;
-  return {record.timing.tick_number,
+  return {record.sensors.report.timing.tick_number,
           record.motor_codes,
           {on, on, on},
           has_inputs,
@@ -129,9 +115,9 @@ class FrameSource {
       writer.write(message.kType, link::encode(message), frame);
     };
     if (is_due(kSensors)) {
-      write(wire::sensors(record_));
+      write(message_of(record_.sensors));
     } else if (is_due(kInputs)) {
-      write(wire::inputs(record_));
+      write(wire::inputs(record_.sensors.report));
     } else if (is_due(kActuators)) {
       write(wire::actuators(record_, has_inputs_));
     } else if (is_due(kTelemetry)) {
@@ -161,7 +147,7 @@ class FrameSource {
   bool take(Ring<TickRecord, Capacity>& ring) {
     const TickRecord* record = ring.oldest();
     if (record == nullptr) return false;
-    const safety::TimingReport before = record_.timing;
+    const safety::TimingReport before = record_.sensors.report.timing;
     record_ = *record;
     ring.release();
     has_inputs_ = tells_ == Tells::kDevice && !follows(before);
@@ -177,9 +163,10 @@ class FrameSource {
 
   /// Whether a recorder knows the record's inputs without being told.
   [[nodiscard]] bool follows(const safety::TimingReport& before) const {
-    const safety::TimingReport& now = record_.timing;
+    const firmware::DeviceReport& report = record_.sensors.report;
+    const safety::TimingReport& now = report.timing;
     return now.tick_number == before.tick_number + 1 && now.message_number == before.message_number + 1 &&
-           !now.is_late && record_.requests.bits() == 0 && wire::findings(record_).is_empty();
+           !now.is_late && report.requests.bits() == 0 && wire::findings(report).is_empty();
   }
 
   Tells tells_;

@@ -8,13 +8,7 @@
 namespace palpate::telemetry {
 
 struct TickRecord {
-  // What entered the tick.
-  std::array<int32_t, 3> encoder_counts;
-  safety::TimingReport timing;
-  safety::EventSet requests;
-  safety::ConditionSet reported;
-  std::array<uint32_t, 3> gimbal;
-  bool grasp_button;
+  firmware::Sensors sensors;  // what entered the tick
 
   // What came of it.
   uint32_t tick;
@@ -38,10 +32,7 @@ template <class Profile>
 void fill_record(TickRecord& record, const firmware::Sensors& sensors,
                  const firmware::CycleState<Profile>& state,
                  const std::array<uint32_t, firmware::kStageCount>& stage_cycles, uint32_t overruns) {
-  record.timing = sensors.report.timing;
-  record.requests = sensors.report.requests;
-  record.reported = sensors.report.reported;
-  record.grasp_button = sensors.grasp_button;
+  record.sensors = sensors;
   record.tick = state.core.tick;
   record.flags = state.output.flags;
   record.overruns = overruns;
@@ -55,8 +46,6 @@ void fill_record(TickRecord& record, const firmware::Sensors& sensors,
     record.winding[i] = safety::celsius(motor.temperatures.winding);
     record.current_limit[i] = motor.current_limit;
     record.motor_codes[i] = state.motor_codes[i];
-    record.encoder_counts[i] = sensors.encoder_counts[i];
-    record.gimbal[i] = sensors.gimbal[i];
   }
   for (const uint32_t i : bounded<firmware::kStageCount>(firmware::kStageCount, [] {})) {
     record.stage_cycles[i] = stage_cycles[i];
