@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
+#include "palpate/touch/direction.hpp"
 
 namespace palpate {
 
@@ -24,8 +25,7 @@ template <class Profile>
   uint16_t nearest = kNone;
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
     const uint16_t node = forest.nodes.live(i);
-    const Vector3<Position> d = forest.node.position[node] - tool;
-    const Acc<kBits> square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const Acc<kBits> square = square_of(Vector3<Position>(forest.node.position[node] - tool));
     const bool closer = square < least || (square == least && nearest == kNone);
     least = closer ? square : least;
     nearest = closer ? node : nearest;
@@ -49,7 +49,7 @@ void update_grasp(const Forest<Profile>& forest, const Vector3<Position>& tool, 
 }
 
 /// Where the grasped node is drawn to in a tool that touches: in each tick an eighth of the way from `before`
-/// to `target`. A node that follows every encoder count at once pulls with its whole own stiffness, some 1000
+/// to `target`. A node that follows every encoder count at once pulls with its whole own stiffness, some 150
 /// times the body's: a count of 0.03 mm would be felt as 0.2 N. Rounded to nearest.
 inline Vector3<Position> eased(const Vector3<Position>& before, const Vector3<Position>& target) {
   constexpr int kShift = 3;

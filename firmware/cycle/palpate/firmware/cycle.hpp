@@ -59,16 +59,6 @@ safety::Verdict judge(CycleState<Profile>& state, const safety::Observation& see
   return verdict;
 }
 
-template <class Profile>
-void note_peak_force(CycleState<Profile>& state) {
-  uint64_t square = 0;
-  for (const uint32_t axis : bounded<3>(3, [] {})) {
-    const int64_t raw = state.force[static_cast<Eigen::Index>(axis)].raw();
-    square += static_cast<uint64_t>(raw * raw);
-  }
-  if (square > state.peak_force_square) state.peak_force_square = square;
-}
-
 /// What the safety layer leaves of the force: all of it, to the bit, at full gain and with cool motors.
 template <class Profile>
 PALPATE_NOINLINE void motor_codes(CycleState<Profile>& state, safety::Observation& seen) {
@@ -84,7 +74,8 @@ PALPATE_NOINLINE void motor_codes(CycleState<Profile>& state, safety::Observatio
   state.motor_codes = phantom::motor_codes(drive, torques).codes;
   state.amplifiers_enabled = verdict.amplifiers_enabled;
   for (const uint32_t i : bounded<3>(3, [] {})) state.code_history.add(uint32_t{state.motor_codes[i]});
-  note_peak_force(state);
+  const uint64_t square = safety::square_norm(state.force);
+  if (square > state.peak_force_square) state.peak_force_square = square;
 }
 
 }  // namespace cycle_stages
