@@ -12,7 +12,9 @@
 #include "hil/touch_task.hpp"
 #include "output/interrupt.hpp"
 #include "output/output_file.hpp"
+#include "output/recording_file.hpp"
 #include "palpate/safety/state.hpp"
+#include "palpate/telemetry/sensors_message.hpp"
 #include "program/model_container.hpp"
 #include "program/run_record.hpp"
 #include "recording/recording_writer.hpp"
@@ -53,21 +55,15 @@ recording::HashPoint hash_point(uint32_t tick, const std::vector<std::string>& r
 /// All that the firmware was given, with the hashes that it printed.
 void write_recording(const Scenario& scenario, const std::vector<recording::TickRow>& rows,
                      const std::map<uint32_t, std::vector<std::string>>& hashes) {
-  OutputFile file(scenario.record);
-  auto sink = [&file](const uint8_t* bytes, uint32_t size) {
-    file.write(reinterpret_cast<const char*>(bytes), size);
-    return true;
-  };
-  recording::RecordingWriter writer(sink);
+  RecordingFile file(scenario.record);
+  recording::RecordingWriter writer(file);
   writer.begin({scenario.profile, scenario.name, cycle_model(scenario), true, safety::kPremium15Parameters});
   for (uint32_t tick = 1; tick <= rows.size(); ++tick) {
     writer.add(rows[tick - 1]);
     const auto row = hashes.find(tick);
     if (row != hashes.end()) writer.add(hash_point(tick, row->second));
   }
-  if (writer.end() != container::WriteStatus::kDone)
-    throw std::logic_error("a recording that cannot be written");
-  file.close();
+  file.close(writer.end());
 }
 
 /// The device's side of the run. The answer to the last tick is the firmware's last word.
@@ -81,7 +77,7 @@ LinkRun drive(const Scenario& scenario, const RunFolder& folder, LinkController&
   for (uint32_t tick = 1; tick <= ticks; ++tick) {
     loop.advance();
     log.add(loop);
-    rows.push_back(row_of(sensors_of(loop.sensors(), loop.requests()), loop.answer()));
+    rows.push_back(row_of(telemetry::sensors_of(loop.sensors(), loop.requests()), loop.answer()));
     watch(tick);
     if (is_interrupted()) throw Interrupted();
   }

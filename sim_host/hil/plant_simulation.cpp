@@ -1,71 +1,58 @@
 // The firmware's cycle on this machine, with the simulated device around it.
-#include <memory>
-
-#include "hil/closed_loop.hpp"
-#include "hil/host_controller.hpp"
 #include "hil/plant_simulation.hpp"
+
+#include <fmt/ranges.h>
+
+#include "hil/host_controller.hpp"
 #include "hil/touch_task.hpp"
-#include "simulation/body_reading.hpp"
-#include "simulation/cycle_reading.hpp"
-#include "simulation/cycle_recorder.hpp"
-#include "simulation/read_fields.hpp"
-#include "simulation/stage_clock.hpp"
+#include "simulation/cycle_simulation.hpp"
 #include "simulation/with_profile.hpp"
 
 namespace palpate::sim {
 namespace {
 
+std::string conditions_text(safety::ConditionSet conditions) {
+  std::vector<std::string> names;
+  for (uint32_t i = 0; i < safety::kConditionCount; ++i) {
+    const auto condition = static_cast<safety::Condition>(i);
+    if (conditions.has(condition)) names.emplace_back(safety::condition_name(condition));
+  }
+  return names.empty() ? "no condition" : fmt::format("{}", fmt::join(names, ", "));
+}
+
 template <class Profile>
-class PlantSimulation final : public Simulation {
+class PlantSimulation final : public CycleSimulation<Profile> {
  public:
   PlantSimulation(const Scenario& scenario, std::function<void(const ClosedLoop&)> watch)
-      : scenario_(scenario),
+      : CycleSimulation<Profile>(scenario),
         watch_(std::move(watch)),
-        state_(std::make_unique<firmware::CycleState<Profile>>()),
         plant_(touch_plant(scenario)),
-        controller_(*state_, clock_),
+        controller_(this->state(), this->clock()),
         loop_(plant_, controller_) {
-    require_started<Profile>(firmware::start(*state_, cycle_model(scenario)));
-    if (!firmware::guard_device(*state_, safety::kPremium15Parameters)) {
+    if (!firmware::guard_device(this->state(), safety::kPremium15Parameters)) {
       throw std::logic_error("the device's safety parameters are refused");
     }
-    recorder_ = make_recorder(scenario_, *state_, true);
-    if (recorder_) controller_.on_cycle = [this](const firmware::Sensors& read) { recorder_->note(read); };
-    watched_ = find_node(state_->core, scenario_, kNodeToleranceMm);
+    this->begin_recording(true);
+    controller_.on_cycle = [this](const firmware::Sensors& read) { this->note(read); };
   }
 
   bool advance() override {
     loop_.advance();
     watch_(loop_);
-    return state_->fault == firmware::Fault::kNone && state_->core.tick < expected_ticks();
+    return this->state().fault == firmware::Fault::kNone && this->state().core.tick < expected_ticks();
   }
-  void end() override {
-    if (recorder_) recorder_->end();
-  }
-  [[nodiscard]] Sample sample() const override { return cycle_sample(*state_, scenario_.model, watched_); }
-  [[nodiscard]] uint32_t expected_ticks() const override { return touch_ticks(scenario_); }
-  [[nodiscard]] bool has_device() const override { return true; }
-  [[nodiscard]] std::vector<double> stage_ms() const override { return clock_.milliseconds(); }
-  [[nodiscard]] Totals totals() const override { return read_totals(state_->core); }
-  [[nodiscard]] BodyShape shape() const override { return read_shape(state_->core, scenario_.model); }
-  [[nodiscard]] BodyFields fields() const override { return read_fields(state_->core, scenario_.model); }
-  [[nodiscard]] std::vector<std::string> hash_names() const override { return cycle_hash_names(); }
-  [[nodiscard]] std::vector<uint64_t> hashes() const override { return cycle_hashes(*state_); }
+  [[nodiscard]] uint32_t expected_ticks() const override { return touch_ticks(this->scenario()); }
   [[nodiscard]] std::optional<std::string> failure() const override {
-    if (state_->safety.state != safety::State::kFault) return std::nullopt;
-    return fmt::format("the device ended in Fault: {}", conditions_text(state_->safety.seen));
+    const safety::Safety& safety = this->state().safety;
+    if (safety.state != safety::State::kFault) return std::nullopt;
+    return fmt::format("the device ended in Fault: {}", conditions_text(safety.seen));
   }
 
  private:
-  Scenario scenario_;
   std::function<void(const ClosedLoop&)> watch_;
-  std::unique_ptr<firmware::CycleState<Profile>> state_;
-  std::unique_ptr<CycleRecorder<Profile>> recorder_;
-  StageClock<firmware::Stage, firmware::kStageCount> clock_;
   plant::Plant plant_;
-  HostController<Profile, StageClock<firmware::Stage, firmware::kStageCount>> controller_;
+  HostController<Profile, typename CycleSimulation<Profile>::Clock> controller_;
   ClosedLoop loop_;
-  uint16_t watched_ = 0;
 };
 
 }  // namespace

@@ -10,18 +10,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr uint16_t kGraspButton = 1;
 /// Free of the surface, so that neither noise nor the arm's weight brings the tool to it.
 constexpr double kClearM = 0.003;
 
 /// Where the hand has the tool's centre, so many metres beyond where the ball just touches the node's place.
 Vector3d beyond_surface(const Scenario& scenario, double metres) {
-  const ModelParameters& model = scenario.model;
-  std::array<double, 3> from_centre{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    from_centre[axis] = scenario.node_mm[axis] * 1e-3 - model.cubes[axis] * model.edge_m / 2.0;
-  }
-  from_centre[1] += metres - model.contact.tool_radius_m;
+  std::array<double, 3> from_centre = node_from_centre_m(scenario);
+  from_centre[1] += metres - scenario.model.contact.tool_radius_m;
   return Vector3d(in_device_m(scenario.scene, from_centre).data());
 }
 
@@ -39,8 +34,8 @@ std::vector<plant::Knot> knots(const Scenario& scenario) {
       {2.8, at(touch.press_mm * 1e-3)},
       {3.2, at(touch.press_mm * 1e-3)},
       {3.6, at(-kClearM)},
-      {3.8, at(-kClearM), true, kGraspButton},
-      {5.0, at(-kClearM - pull), true, kGraspButton},
+      {3.8, at(-kClearM), true, plant::kGraspButton},
+      {5.0, at(-kClearM - pull), true, plant::kGraspButton},
       {5.4, at(-kClearM - pull)},
       {6.2, home},
       {6.5, home},

@@ -6,13 +6,10 @@
 
 #include "palpate/firmware/model_container.hpp"
 #include "simulation/with_profile.hpp"
+#include "text/bytes_of.hpp"
 
 namespace palpate::sim {
 namespace {
-
-container::Bytes bytes_of(const std::string& text) {
-  return {reinterpret_cast<const uint8_t*>(text.data()), static_cast<uint32_t>(text.size())};
-}
 
 std::string written(const firmware::CycleModel& model, const std::string& name) {
   std::string file;

@@ -8,7 +8,7 @@
 #include "hil/line_recorder.hpp"
 #include "hil/serial_line.hpp"
 #include "output/interrupt.hpp"
-#include "output/output_file.hpp"
+#include "output/recording_file.hpp"
 #include "palpate/link/frame_reader.hpp"
 #include "program/commands.hpp"
 #include "program/model_container.hpp"
@@ -42,12 +42,8 @@ std::size_t read_some(int file, std::array<uint8_t, 4096>& bytes) {
 int record_device(const RecordRequest& request) {
   const recording::Start start = start_with(request);
   const SerialLine line(request.port);
-  OutputFile file(request.out);
-  auto sink = [&file](const uint8_t* bytes, uint32_t size) {
-    file.write(reinterpret_cast<const char*>(bytes), size);
-    return true;
-  };
-  LineRecorder recorder(sink, start);
+  RecordingFile file(request.out);
+  LineRecorder recorder(file, start);
   using Phase = typename decltype(recorder)::Phase;
   link::FrameReader reader;
   std::array<uint8_t, 4096> bytes{};
@@ -62,9 +58,7 @@ int record_device(const RecordRequest& request) {
       if (reader.push(bytes[i])) recorder.push(reader.frame());
     }
   }
-  if (recorder.end() != container::WriteStatus::kDone)
-    throw std::logic_error("a recording that cannot be written");
-  file.close();
+  file.close(recorder.end());
   fmt::print("{} ticks in {}; {} frames lost on the line\n", recorder.ticks(), request.out,
              reader.counters().lost_frames);
   if (recorder.phase() == Phase::kWaiting) throw EnvironmentError("no firmware has started on the line");

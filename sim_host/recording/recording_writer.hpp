@@ -17,12 +17,9 @@
 #include "palpate/firmware/state_layout.hpp"
 #include "recording/row.hpp"
 #include "recording/start.hpp"
+#include "text/bytes_of.hpp"
 
 namespace palpate::recording {
-
-inline Bytes bytes_of(const std::string& text) {
-  return {reinterpret_cast<const uint8_t*>(text.data()), static_cast<uint32_t>(text.size())};
-}
 
 template <class Sink>
 class RecordingWriter {

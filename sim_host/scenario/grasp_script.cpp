@@ -30,15 +30,6 @@ constexpr std::array<Phase, 7> kPhases = {{
     {300, 1.0, 0.0, false},  // retract
 }};
 
-/// The node to grasp, from the body's centre.
-std::array<double, 3> corner_m(const Scenario& scenario) {
-  std::array<double, 3> corner{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    corner[axis] = scenario.node_mm[axis] * 1e-3 - scenario.model.cubes[axis] * scenario.model.edge_m / 2.0;
-  }
-  return corner;
-}
-
 firmware::ScriptRow row_at(const ToolPoint& point, std::size_t tick) {
   const auto angles = plant::premium::inverse_kinematics(Eigen::Vector3d(point.position_m.data()));
   const double margin_deg =
@@ -64,7 +55,7 @@ firmware::ScriptRow row_at(const ToolPoint& point, std::size_t tick) {
 }  // namespace
 
 std::vector<ToolPoint> grasp_path(const Scenario& scenario) {
-  const auto corner = corner_m(scenario);
+  const auto corner = node_from_centre_m(scenario);
   const double drag_m = scenario.grasp.drag_mm * 1e-3;
   std::vector<ToolPoint> path;
   double away = 1.0;

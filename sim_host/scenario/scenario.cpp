@@ -117,6 +117,15 @@ void complete_scenario(Scenario& scenario) {
   if (!scenario.node_given) scenario.node_mm = default_node_mm(scenario);
 }
 
+std::array<double, 3> node_from_centre_m(const Scenario& scenario) {
+  std::array<double, 3> from_centre{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    from_centre[axis] =
+        scenario.node_mm[axis] * 1e-3 - scenario.model.cubes[axis] * scenario.model.edge_m / 2.0;
+  }
+  return from_centre;
+}
+
 firmware::CycleModel cycle_model(const Scenario& scenario) {
   SceneParameters scene;
   scene.body_centre_in_device_m = {0.0, 0.0, 0.0};

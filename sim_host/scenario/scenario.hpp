@@ -80,6 +80,9 @@ Scenario built_in_scenario(const std::string& name);
 /// A built-in scenario, or one from a file (an argument that ends in .toml).
 Scenario load_scenario(const std::string& name_or_path);
 
+/// node_mm, from the body's centre.
+std::array<double, 3> node_from_centre_m(const Scenario& scenario);
+
 /// The model of a scenario that is complete, for the firmware's cycle. A scenario without a device gets a
 /// scene whose device is at the body's centre.
 firmware::CycleModel cycle_model(const Scenario& scenario);

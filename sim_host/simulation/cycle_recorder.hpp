@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "output/output_file.hpp"
+#include "output/recording_file.hpp"
 #include "recording/run_recorder.hpp"
 #include "scenario/errors.hpp"
 #include "scenario/scenario.hpp"
@@ -16,31 +16,17 @@ class CycleRecorder {
   /// `state` has been started, and guarded if a hand holds the device.
   CycleRecorder(const Scenario& scenario, firmware::CycleState<Profile>& state, bool is_guarded)
       : file_(scenario.record),
-        recorder_(sink_, state, recording::start_of(state, scenario.name, is_guarded),
+        recorder_(file_, state, recording::start_of(state, scenario.name, is_guarded),
                   {static_cast<uint32_t>(scenario.hash_every), kSnapshotEvery}) {}
 
   void note(const firmware::Sensors& sensors) { recorder_.note(sensors); }
-  void end() {
-    if (recorder_.end() != container::WriteStatus::kDone)
-      throw std::logic_error("a recording that cannot be written");
-    file_.close();
-  }
+  void end() { file_.close(recorder_.end()); }
 
  private:
   static constexpr uint32_t kSnapshotEvery = 5000;
 
-  /// A full disk throws.
-  struct Sink {
-    OutputFile& file;
-    bool operator()(const uint8_t* bytes, uint32_t size) {
-      file.write(reinterpret_cast<const char*>(bytes), size);
-      return true;
-    }
-  };
-
-  OutputFile file_;
-  Sink sink_{file_};
-  recording::RunRecorder<Profile, Sink> recorder_;
+  RecordingFile file_;
+  recording::RunRecorder<Profile, RecordingFile> recorder_;
 };
 
 /// Nothing when the scenario asks for none.

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "hil/closed_loop.hpp"
+#include "hil/host_controller.hpp"
 #include "hil/touch_task.hpp"
 #include "palpate/telemetry/frame_source.hpp"
 #include "palpate/tick/profiles.hpp"

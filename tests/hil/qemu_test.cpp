@@ -2,8 +2,6 @@
 //   palpate_qemu_tests <ELF> <profile>
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <fstream>
 #include <sstream>
 
@@ -19,6 +17,7 @@
 #include "recording/mapped_file.hpp"
 #include "recording/replay.hpp"
 #include "simulation/capacity.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -35,23 +34,6 @@ Scenario touch_scenario() {
   return scenario;
 }
 
-/// Gone after the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : path_(::testing::TempDir() + fmt::format("palpate-qemu-{}", getpid())) {
-    std::filesystem::create_directories(path_);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder(TemporaryFolder&&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  [[nodiscard]] std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
-
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::stringstream text;
@@ -65,7 +47,7 @@ void expect_same_bits(const std::string& link, int ticks) {
   Scenario scenario = touch_scenario();
   scenario.link = link;
   scenario.ticks = ticks;
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   scenario.record = (folder / "recording").string();
   const RunFolder run_folder(folder / "run");
   (void)run_over_link(scenario, run_folder, [](uint32_t) {});
@@ -134,7 +116,7 @@ class Bench {
     return {g_firmware, machine, folder_ / "model", folder_ / "console.csv", LinkKind::kFifo};
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   Scenario scenario_;
   QemuFirmware firmware_;
   LinkController controller_;

@@ -21,8 +21,6 @@ using Eigen::Vector3d;
 using safety::State;
 using Cycle = firmware::CycleState<Small>;
 
-constexpr uint16_t kGraspButton = 1;
-
 Scenario soak_scenario() {
   Scenario scenario = built_in_scenario("touch");
   scenario.profile = "small";
@@ -70,7 +68,7 @@ class RandomHand {
   /// What it does next, from where it means to be now: to a node, to take it in the next move, or anywhere.
   plant::Hand next(double now_s) {
     const Vector3d from = target_;
-    buttons_ = is_at_node_ ? kGraspButton : uint16_t{0};
+    buttons_ = is_at_node_ ? plant::kGraspButton : uint16_t{0};
     is_at_node_ = !is_at_node_ && random_.below(3) == 0;
     target_ = is_at_node_ ? Vector3d(node() + 0.003 * random_.vector())
                           : Vector3d(node() + 0.04 * random_.vector());
@@ -89,12 +87,7 @@ class RandomHand {
   static Vector3d home() { return plant::premium::tool_position(Vector3d::Zero()); }
   /// Of the scenario, in the device's frame.
   [[nodiscard]] Vector3d node() const {
-    const ModelParameters& model = scenario_.model;
-    std::array<double, 3> from_centre{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      from_centre[axis] = scenario_.node_mm[axis] * 1e-3 - model.cubes[axis] * model.edge_m / 2.0;
-    }
-    return Vector3d(in_device_m(scenario_.scene, from_centre).data());
+    return Vector3d(in_device_m(scenario_.scene, node_from_centre_m(scenario_)).data());
   }
   plant::Hand hand(double now_s, const Vector3d& from, double duration) {
     plant::HandParameters parameters;
