@@ -12,6 +12,7 @@ LinkRequest LinkService::obey(Run& run, const link::Frame& frame) const {
   link::CommandMessage command{};
   if (link::decode(frame, command) != link::DecodeStatus::kDone) return LinkRequest::kNone;
   leave(run.requests, telemetry::requests_of(command));
+  if (command.setting != 0) leave(run.changes, telemetry::change_of(command));
   return command.ends_run ? LinkRequest::kEnd : LinkRequest::kNone;
 }
 

@@ -12,7 +12,7 @@ using Profile = palpate::PALPATE_PROFILE;
 
 inline constexpr uint32_t kTickPeriodUs = 1000;
 inline constexpr uint32_t kTelemetryTicks = 16;             // that the background may be late
-inline constexpr uint32_t kWaiting = 8;                     // requests that have not had their tick
+inline constexpr uint32_t kWaiting = 8;                     // of a kind that have not had their tick
 inline constexpr uint32_t kHashEvery = PALPATE_HASH_EVERY;  // 0: never
 
 struct Run {
@@ -28,26 +28,27 @@ struct Run {
   telemetry::Ring<telemetry::TickRecord, kTelemetryTicks> telemetry;
   // What the background leaves for the cycle, which takes one of each a tick.
   telemetry::Ring<safety::EventSet, kWaiting> requests;      // of whoever commands the device
+  telemetry::Ring<SettingChange, kWaiting> changes;          // that they want
   telemetry::Ring<safety::ConditionSet, kWaiting> findings;  // of the background itself
 };
 
 /// One more for the cycle; the background's. When so many wait already it is lost: nobody asks for as much.
-template <class Set>
-void leave(telemetry::Ring<Set, kWaiting>& ring, Set set) {
-  if (Set* const place = ring.claim()) {
-    *place = set;
+template <class Item>
+void leave(telemetry::Ring<Item, kWaiting>& ring, Item item) {
+  if (Item* const place = ring.claim()) {
+    *place = item;
     ring.publish();
   }
 }
 
 /// The next one, or nothing; the cycle's.
-template <class Set>
-[[nodiscard]] Set take(telemetry::Ring<Set, kWaiting>& ring) {
-  const Set* const waiting = ring.oldest();
+template <class Item>
+[[nodiscard]] Item take(telemetry::Ring<Item, kWaiting>& ring) {
+  const Item* const waiting = ring.oldest();
   if (waiting == nullptr) return {};
-  const Set set = *waiting;
+  const Item item = *waiting;
   ring.release();
-  return set;
+  return item;
 }
 
 /// Holds the run without constructing it: no constructor runs before run_firmware, which does it.

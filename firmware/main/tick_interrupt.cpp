@@ -31,6 +31,7 @@ Sensors read_sensors(Run& run) {
   report.timing = {port::tick_number(), port::encoder_reading_number(), run.was_late};
   report.reported = reported_by(port::read_device_status()) | take(run.findings);
   report.requests = take(run.requests);
+  report.change = take(run.changes);
   return {counts, is_grasping, gimbal, report};
 }
 

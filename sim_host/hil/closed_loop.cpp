@@ -50,8 +50,13 @@ ClosedLoop::ClosedLoop(plant::Plant& plant, Controller& controller, uint32_t ext
 
 void ClosedLoop::advance() {
   sensors_ = sensors_message(plant_.output());
-  requests_ = next_request(static_cast<safety::State>(answer_.safety_state), is_at_reset_pose(plant_));
-  answer_ = controller_.answer(sensors_, requests_);
+  wish_ = {next_request(static_cast<safety::State>(answer_.safety_state), is_at_reset_pose(plant_)), {}};
+  ++ticks_;
+  if (!changes_.empty() && changes_.front().tick == ticks_) {
+    wish_.change = changes_.front().change;
+    changes_.pop_front();
+  }
+  answer_ = controller_.answer(sensors_, wish_);
   late_.push_back(plant_input(answer_));
   plant_.step(late_.front());
   late_.pop_front();

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <deque>
+#include <vector>
 
 #include "hil/controller.hpp"
 #include "palpate/safety/state.hpp"
@@ -18,25 +19,35 @@ link::SensorsMessage sensors_message(const plant::PlantOutput& output);
 /// What a user at the device asks for next on the way to force. Only at the reset pose is a calibration done.
 safety::EventSet next_request(safety::State state, bool is_at_reset_pose);
 
+/// In which tick a setting is to change; the first is 1.
+struct PlannedChange {
+  uint32_t tick;
+  firmware::SettingChange change;
+};
+
 class ClosedLoop {
  public:
   ClosedLoop(plant::Plant& plant, Controller& controller, uint32_t extra_delay = 0);
 
+  /// One a tick, in order.
+  void plan(std::vector<PlannedChange> changes) { changes_.assign(changes.begin(), changes.end()); }
   void advance();
 
   [[nodiscard]] const plant::Plant& plant() const { return plant_; }
   /// Of the last tick.
   [[nodiscard]] const link::SensorsMessage& sensors() const { return sensors_; }
-  [[nodiscard]] safety::EventSet requests() const { return requests_; }
+  [[nodiscard]] const UserWish& wish() const { return wish_; }
   [[nodiscard]] const link::ActuatorsMessage& answer() const { return answer_; }
 
  private:
   plant::Plant& plant_;
   Controller& controller_;
   link::SensorsMessage sensors_{};
-  safety::EventSet requests_;
+  UserWish wish_;
   link::ActuatorsMessage answer_{};
   std::deque<plant::PlantInput> late_;  // answers on their way
+  std::deque<PlannedChange> changes_;
+  uint32_t ticks_ = 0;
 };
 
 }  // namespace palpate::sim

@@ -1,10 +1,24 @@
 // Who answers the device's sensors: a firmware, wherever it runs.
 #pragma once
 
-#include "palpate/link/messages.hpp"
-#include "palpate/safety/event.hpp"
+#include "palpate/telemetry/sensors_message.hpp"
 
 namespace palpate::sim {
+
+/// What the user of a device wants in a tick.
+struct UserWish {
+  safety::EventSet requests;
+  firmware::SettingChange change{0, 0};
+
+  [[nodiscard]] bool is_nothing() const { return requests.bits() == 0 && change.setting == 0; }
+};
+
+/// What enters the cycle.
+inline firmware::Sensors sensors_of(const link::SensorsMessage& message, const UserWish& wish) {
+  firmware::Sensors sensors = telemetry::sensors_of(message, wish.requests);
+  sensors.report.change = wish.change;
+  return sensors;
+}
 
 class Controller {
  public:
@@ -15,8 +29,8 @@ class Controller {
   Controller& operator=(Controller&&) = delete;
   virtual ~Controller() = default;
 
-  /// One tick. `requests`: what its user asks for in it.
-  virtual link::ActuatorsMessage answer(const link::SensorsMessage& sensors, safety::EventSet requests) = 0;
+  /// One tick.
+  virtual link::ActuatorsMessage answer(const link::SensorsMessage& sensors, const UserWish& wish) = 0;
 };
 
 }  // namespace palpate::sim

@@ -23,7 +23,7 @@ void DeviceLog::add(const ClosedLoop& loop) {
   for (const uint16_t code : answer.motor_codes) file_.print(",{}", code);
   file_.print(",{},{},{},{},{},{}\n", truth.is_driven[0] ? 1 : 0,
               safety::state_name(static_cast<safety::State>(answer.safety_state)), answer.fault,
-              answer.conditions, loop.requests().bits(), answer.flags);
+              answer.conditions, loop.wish().requests.bits(), answer.flags);
   peak_hand_force_n_ = std::max(peak_hand_force_n_, truth.hand_force.norm());
 }
 

@@ -5,7 +5,6 @@
 
 #include "hil/controller.hpp"
 #include "palpate/firmware/cycle.hpp"
-#include "palpate/telemetry/sensors_message.hpp"
 
 namespace palpate::sim {
 
@@ -17,9 +16,9 @@ class HostController final : public Controller {
   /// Sees what each cycle was fed with, after it.
   std::function<void(const firmware::Sensors&)> on_cycle = [](const firmware::Sensors&) {};
 
-  link::ActuatorsMessage answer(const link::SensorsMessage& sensors, safety::EventSet requests) override {
+  link::ActuatorsMessage answer(const link::SensorsMessage& sensors, const UserWish& wish) override {
     firmware::Actuators actuators{};
-    const firmware::Sensors read = telemetry::sensors_of(sensors, requests);
+    const firmware::Sensors read = sensors_of(sensors, wish);
     firmware::cycle(state_, read, actuators, probe_);
     on_cycle(read);
     watchdog_level_ = !watchdog_level_;

@@ -12,7 +12,6 @@
 #include "hil/link_rows.hpp"
 #include "palpate/link/telemetry_messages.hpp"
 #include "palpate/telemetry/sensors_message.hpp"
-#include "recording/recording_writer.hpp"
 
 namespace palpate::sim {
 
@@ -53,16 +52,18 @@ class LineRecorder {
     if (!sensors_ || sensors_->tick != actuators.tick || actuators.watchdog_level != inputs_.has_value())
       return;
     firmware::Sensors sensors = telemetry::sensors_of(*sensors_, {});
-    sensors.report.timing.message_number = inputs_ ? inputs_->message_number : last_message_ + 1;
+    firmware::DeviceReport& report = sensors.report;
+    report.timing.message_number = inputs_ ? inputs_->message_number : last_message_ + 1;
     if (inputs_) {
-      sensors.report.timing.is_late = inputs_->is_late;
-      sensors.report.requests = safety::EventSet::of_bits(inputs_->requests);
-      sensors.report.reported |= safety::ConditionSet::of_bits(inputs_->findings);
+      report.timing.is_late = inputs_->is_late;
+      report.requests = safety::EventSet::of_bits(inputs_->requests);
+      report.reported |= safety::ConditionSet::of_bits(inputs_->findings);
+      if (!inputs_->is_refused) report.change = {inputs_->setting, inputs_->value};
     }
-    last_message_ = sensors.report.timing.message_number;
+    last_message_ = report.timing.message_number;
     sensors_.reset();
     if (phase_ == Phase::kWaiting) waiting_.clear();
-    waiting_.push_back(row_of(sensors, actuators));
+    waiting_.push_back(link_tick(sensors, actuators));
   }
   void confirm(uint32_t tick) {
     if (phase_ == Phase::kWaiting) {
@@ -73,8 +74,7 @@ class LineRecorder {
       phase_ = Phase::kEnded;
       return;
     }
-    for (const recording::TickRow& row : waiting_) writer_.add(row);
-    confirmed_ = tick;
+    for (const LinkTick& one : waiting_) record_after(confirmed_++, one, writer_);
     waiting_.clear();
   }
 
@@ -83,7 +83,7 @@ class LineRecorder {
   std::optional<link::SensorsMessage> sensors_;  // of the tick whose actuators are to come
   std::optional<link::InputsMessage> inputs_;
   uint32_t last_message_ = 0;
-  std::vector<recording::TickRow> waiting_;
+  std::vector<LinkTick> waiting_;
   uint32_t confirmed_ = 0;
 };
 

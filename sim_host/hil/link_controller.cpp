@@ -59,9 +59,10 @@ link::Frame LinkController::receive() {
   }
 }
 
-link::ActuatorsMessage LinkController::answer(const link::SensorsMessage& sensors,
-                                              safety::EventSet requests) {
-  if (requests.bits() != 0) send(link::CommandMessage{requests.bits(), 0, 0, false});
+link::ActuatorsMessage LinkController::answer(const link::SensorsMessage& sensors, const UserWish& wish) {
+  if (!wish.is_nothing()) {
+    send(link::CommandMessage{wish.requests.bits(), wish.change.setting, wish.change.value, false});
+  }
   send(sensors);
   for (;;) {
     const link::Frame frame = receive();

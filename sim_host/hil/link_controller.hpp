@@ -19,9 +19,9 @@ class LinkController final : public Controller {
  public:
   explicit LinkController(const LinkFiles& files);
 
-  /// Requests go before the sensors, so that they are of the same tick. Throws EnvironmentError when the
+  /// The wish goes before the sensors, so that it is of the same tick. Throws EnvironmentError when the
   /// firmware is gone or does not answer.
-  link::ActuatorsMessage answer(const link::SensorsMessage& sensors, safety::EventSet requests) override;
+  link::ActuatorsMessage answer(const link::SensorsMessage& sensors, const UserWish& wish) override;
 
   /// Asks the firmware to end its run.
   void end_run();

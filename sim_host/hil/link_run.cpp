@@ -9,15 +9,14 @@
 #include "hil/link_rows.hpp"
 #include "hil/qemu_firmware.hpp"
 #include "hil/serial_line.hpp"
+#include "hil/setting_plan.hpp"
 #include "hil/touch_task.hpp"
 #include "output/interrupt.hpp"
 #include "output/output_file.hpp"
 #include "output/recording_file.hpp"
 #include "palpate/safety/state.hpp"
-#include "palpate/telemetry/sensors_message.hpp"
 #include "program/model_container.hpp"
 #include "program/run_record.hpp"
-#include "recording/recording_writer.hpp"
 #include "scenario/errors.hpp"
 
 namespace palpate::sim {
@@ -53,13 +52,13 @@ recording::HashPoint hash_point(uint32_t tick, const std::vector<std::string>& r
 }
 
 /// All that the firmware was given, with the hashes that it printed.
-void write_recording(const Scenario& scenario, const std::vector<recording::TickRow>& rows,
+void write_recording(const Scenario& scenario, const std::vector<LinkTick>& ticks,
                      const std::map<uint32_t, std::vector<std::string>>& hashes) {
   RecordingFile file(scenario.record);
   recording::RecordingWriter writer(file);
   writer.begin({scenario.profile, scenario.name, cycle_model(scenario), true, safety::kPremium15Parameters});
-  for (uint32_t tick = 1; tick <= rows.size(); ++tick) {
-    writer.add(rows[tick - 1]);
+  for (uint32_t tick = 1; tick <= ticks.size(); ++tick) {
+    record_after(tick - 1, ticks[tick - 1], writer);
     const auto row = hashes.find(tick);
     if (row != hashes.end()) writer.add(hash_point(tick, row->second));
   }
@@ -68,16 +67,17 @@ void write_recording(const Scenario& scenario, const std::vector<recording::Tick
 
 /// The device's side of the run. The answer to the last tick is the firmware's last word.
 LinkRun drive(const Scenario& scenario, const RunFolder& folder, LinkController& controller,
-              const std::function<void(uint32_t)>& watch, std::vector<recording::TickRow>& rows) {
+              const std::function<void(uint32_t)>& watch, std::vector<LinkTick>& told) {
   plant::Plant plant = touch_plant(scenario);
   ClosedLoop loop(plant, controller);
+  loop.plan(planned_changes(scenario));
   DeviceLog log(folder.file("device.csv"));
   const auto start = std::chrono::steady_clock::now();
   const uint32_t ticks = touch_ticks(scenario);
   for (uint32_t tick = 1; tick <= ticks; ++tick) {
     loop.advance();
     log.add(loop);
-    rows.push_back(row_of(telemetry::sensors_of(loop.sensors(), loop.requests()), loop.answer()));
+    told.push_back(link_tick(sensors_of(loop.sensors(), loop.wish()), loop.answer()));
     watch(tick);
     if (is_interrupted()) throw Interrupted();
   }
@@ -95,14 +95,14 @@ LinkRun drive_qemu(const Scenario& scenario, const RunFolder& folder,
                          scenario.link == "uart" ? LinkKind::kUart : LinkKind::kFifo});
   LinkController controller(firmware.files());
   controller.on_silence = [&firmware] { firmware.require_alive(); };
-  std::vector<recording::TickRow> rows;
-  LinkRun run = drive(scenario, folder, controller, watch, rows);
+  std::vector<LinkTick> told;
+  LinkRun run = drive(scenario, folder, controller, watch, told);
   const int status = firmware.wait();
   if (status != 0) throw EnvironmentError(fmt::format("the firmware in QEMU ended with status {}", status));
   const RunRecord record = read_run(folder.temporary().string());
   if (!record.problem.empty()) throw EnvironmentError(record.problem);
   run.state_hash = record.hashes.rbegin()->second.back();
-  if (!scenario.record.empty()) write_recording(scenario, rows, record.hashes);
+  if (!scenario.record.empty()) write_recording(scenario, told, record.hashes);
   return run;
 }
 
@@ -114,9 +114,9 @@ LinkRun run_over_link(const Scenario& scenario, const RunFolder& folder,
   if (scenario.port.empty()) return drive_qemu(scenario, folder, watch);
   const SerialLine line(scenario.port);
   LinkController controller({line.file(), line.file()});
-  std::vector<recording::TickRow> rows;
-  LinkRun run = drive(scenario, folder, controller, watch, rows);
-  if (!scenario.record.empty()) write_recording(scenario, rows, {});
+  std::vector<LinkTick> told;
+  LinkRun run = drive(scenario, folder, controller, watch, told);
+  if (!scenario.record.empty()) write_recording(scenario, told, {});
   return run;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "hil/host_controller.hpp"
+#include "hil/setting_plan.hpp"
 #include "hil/touch_task.hpp"
 #include "simulation/cycle_simulation.hpp"
 #include "simulation/with_profile.hpp"
@@ -32,6 +33,7 @@ class PlantSimulation final : public CycleSimulation<Profile> {
     if (!firmware::guard_device(this->state(), safety::kPremium15Parameters)) {
       throw std::logic_error("the device's safety parameters are refused");
     }
+    loop_.plan(planned_changes(scenario));
     this->begin_recording(true);
     controller_.on_cycle = [this](const firmware::Sensors& read) { this->note(read); };
   }

@@ -35,6 +35,10 @@ std::string common_script(const std::string& file, const std::string& x_label, c
 std::string axis_script(const Axis& axis, char name) {
   std::string text;
   if (axis.is_logarithmic) text += fmt::format("set logscale {0}\nset format {0} '%g'\n", name);
+  for (std::size_t i = 0; i < axis.names.size(); ++i) {
+    text +=
+        fmt::format("set {}tics {}({} {})\n", name, i == 0 ? "" : "add ", gnuplot_string(axis.names[i]), i);
+  }
   if (axis.range) text += fmt::format("set {}range [{}:{}]\n", name, axis.range->low, axis.range->high);
   return text;
 }

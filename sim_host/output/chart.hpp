@@ -38,6 +38,7 @@ struct Axis {
   std::string label;  // with the unit: "force, mN"
   bool is_logarithmic = false;
   std::optional<Range> range = std::nullopt;  // of the data otherwise
+  std::vector<std::string> names = {};        // of 0, 1 and so on, instead of the numbers
 };
 
 struct Chart {

@@ -19,6 +19,14 @@ Series over_time(const char* title, const recording::Curves& curves,
   return Series{title, points};
 }
 
+std::vector<std::string> state_names() {
+  std::vector<std::string> names;
+  for (uint32_t i = 0; i < safety::kStateCount; ++i) {
+    names.emplace_back(safety::state_name(static_cast<safety::State>(i)));
+  }
+  return names;
+}
+
 }  // namespace
 
 void draw_recording(const recording::Curves& curves, const std::filesystem::path& folder) {
@@ -37,7 +45,7 @@ void draw_recording(const recording::Curves& curves, const std::filesystem::path
        over_time("motor 3", curves, curves.codes[2])}};
   const Chart state{"state.svg",
                     time,
-                    {"state (0 Boot, 4 Idle, 6 Active, 7 Fault)", false, Range{0.0, 7.0}},
+                    {"", false, Range{0.0, safety::kStateCount - 1.0}, state_names()},
                     {over_time("safety layer", curves, curves.state)}};
   run_gnuplot(chart_script(counts) + chart_script(codes) + chart_script(state), folder);
 }

@@ -24,8 +24,9 @@ Links links() {
 }
 
 std::vector<Figure> doubtful_figures() {
-  const auto figures = {kPeakForce,   kContinuousForce, kLinkLength, kOriginUp,  kOriginForward, kWaistLimit,
-                        kShoulderLow, kShoulderHigh,    kElbowLow,   kElbowHigh, kCountsPerTurn};
+  const auto figures = {kPeakForce,     kContinuousForce, kLinkLength,    kOriginUp, kOriginForward,
+                        kWaistLimit,    kShoulderLow,     kShoulderHigh,  kElbowLow, kElbowHigh,
+                        kCountsPerTurn, kInkwellUp,       kInkwellForward};
   std::vector<FigureInUse> used;
   used.reserve(figures.size());
   for (const Figure& figure : figures) used.push_back({figure, figure.value});

@@ -37,6 +37,10 @@ inline constexpr Figure kCountsPerTurn{"Omni encoder counts a joint turn", 19227
                                        "the least that the published 0.055 mm need; directions are assumed "
                                        "too"};
 
+inline constexpr Figure kInkwellUp{"Omni inkwell's y", -0.0655, "m", Mark::kUnverified,
+                                   "of the tool in it, from memory; x is 0"};
+inline constexpr Figure kInkwellForward{"Omni inkwell's z", -0.0881, "m", Mark::kUnverified, "as y"};
+
 inline constexpr double kUnlimited = 1e9;
 inline constexpr JointLimits kLimits{{-kWaistLimit.value, kWaistLimit.value},
                                      {kShoulderLow.value, kShoulderHigh.value},

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "model_parameters.hpp"
-#include "text/split_at_commas.hpp"
+#include "text/split_at.hpp"
 
 namespace palpate::sim {
 namespace {

@@ -19,25 +19,20 @@ template <class Profile, class Sink>
 class RunRecorder {
  public:
   /// A state that has done ticks before is recorded as a snapshot first.
-  RunRecorder(Sink& sink, firmware::CycleState<Profile>& state, const Start& start, Pace pace)
+  RunRecorder(Sink& sink, const firmware::CycleState<Profile>& state, const Start& start, Pace pace)
       : writer_(sink), state_(state), pace_(pace), tick_(state.core.tick) {
     writer_.begin(start);
     if (tick_ != 0) writer_.add_snapshot(tick_, state_);
   }
 
-  /// After each cycle, with what it was fed with.
+  /// After each cycle, with what it was fed with. A change that was refused is as none.
   void note(const firmware::Sensors& sensors) {
+    const firmware::SettingChange& change = sensors.report.change;
+    if (change.setting != 0 && !state_.is_setting_refused) writer_.add(tick_, change);
     ++tick_;
     writer_.add(row_of(sensors, state_));
     if (is_due(pace_.hash_every)) writer_.add(hashes_of(tick_, state_));
     if (is_due(pace_.snapshot_every)) writer_.add_snapshot(tick_, state_);
-  }
-  /// Changes a setting between two cycles, and says so in the recording. False: firmware::change_setting
-  /// refuses it, and nothing is recorded.
-  [[nodiscard]] bool change(const firmware::SettingChange& change) {
-    if (!firmware::change_setting(state_, change)) return false;
-    writer_.add(tick_, change);
-    return true;
   }
   /// With the hashes of the last tick. kDone: the sink has taken everything.
   [[nodiscard]] container::WriteStatus end() {
@@ -49,7 +44,7 @@ class RunRecorder {
   [[nodiscard]] bool is_due(uint32_t every) const { return every != 0 && tick_ % every == 0; }
 
   RecordingWriter<Sink> writer_;
-  firmware::CycleState<Profile>& state_;
+  const firmware::CycleState<Profile>& state_;
   Pace pace_;
   uint32_t tick_;
 };

@@ -59,6 +59,7 @@ struct Scenario {
   GraspParameters grasp;
   TouchParameters touch;
   SceneParameters scene;
+  std::string settings;             // to change on the way; empty: none
   std::array<double, 3> node_mm{};  // at rest, of the node that is driven, grasped or watched
   bool node_given = false;
   double settle_damping_per_s = 30.0;  // while a body comes to rest

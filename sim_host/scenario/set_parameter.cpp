@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "scenario/parameter_table.hpp"
-#include "text/split_at_commas.hpp"
+#include "text/split_at.hpp"
 
 namespace palpate::sim {
 namespace {

@@ -43,7 +43,7 @@ safety::ConditionSet Causes::due() const {
   return due;
 }
 
-void Causes::see(const Loop& loop) {
+void Causes::see(const Loop& loop, bool looks_at_mesh) {
   const firmware::Sensors& sensors = loop.now.sensors;
   holds_ = unsure_ = safety::ConditionSet();
   stuck_ticks_ = loop.cycle.safety.parameters.motion.stuck_ticks;
@@ -56,7 +56,7 @@ void Causes::see(const Loop& loop) {
   watch_force(loop.cycle);
   watch_speed(loop.cycle, sensors);
   watch_heat(loop.cycle);
-  watch_mesh(loop.cycle);
+  if (looks_at_mesh) watch_mesh(loop.cycle);
   last_ = sensors;
   last_codes_ = loop.cycle.motor_codes;
   has_last_ = true;

@@ -8,13 +8,14 @@
 
 namespace palpate::fault {
 
-/// Leaves are examined four a tick: a wrong one is found when its turn comes.
-inline constexpr uint32_t kInvariantTicks = Small::kLeaves / firmware::InvariantWatch::kLeavesATick + 1;
+/// Leaves are examined four a tick: a wrong one is found when its turn comes, or in the next round if a
+/// change of the mesh has taken it to where the walk had been.
+inline constexpr uint32_t kInvariantTicks = 2 * Small::kLeaves / firmware::InvariantWatch::kLeavesATick + 1;
 
 class Causes {
  public:
-  /// After each tick of the loop.
-  void see(const Loop& loop);
+  /// After each tick of the loop. Without a look at the mesh it counts as whole.
+  void see(const Loop& loop, bool looks_at_mesh);
   void note_new_start() { *this = Causes(); }
 
   /// For so many ticks in a row, this one included; 0: it is not there.

@@ -42,10 +42,14 @@ PoolsInUse pools_in_use(const Cycle& cycle) {
           cycle.core.tethers.count};
 }
 
-void Checks::note_new_start() { *this = Checks(); }
+void Checks::note_new_start() {
+  const uint32_t every = look_every_;
+  *this = Checks();
+  look_every_ = every;
+}
 
 std::string Checks::see(const Loop& loop) {
-  causes_.see(loop);
+  causes_.see(loop, looks_at_mesh(loop));
   std::string failure = check_conditions(loop);
   if (failure.empty()) failure = check_torque(loop);
   if (failure.empty()) failure = check_codes(loop);
@@ -169,7 +173,7 @@ std::string Checks::check_body(const Loop& loop) {
       clamps.speed != clamps_.speed || clamps.position != clamps_.position || clamps.strain != clamps_.strain;
   clamps_ = clamps;
   if (is_clamped && !may_clamp_) return "a speed, position or strain was clamped";
-  if (may_be_broken_) return {};
+  if (may_be_broken_ || !looks_at_mesh(loop)) return {};
   const firmware::Integrity integrity = check_integrity(cycle);
   if (integrity.is_whole()) return {};
   return fmt::format("the state is not whole: mesh {}, front {}, tethers {}",

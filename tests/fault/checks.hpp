@@ -21,6 +21,9 @@ class Checks {
   void allow_broken_mesh() { may_be_broken_ = true; }
   void note_new_start();
   void allow_clamps() { may_clamp_ = true; }
+  /// To look at all of a mesh takes as long as half a tick of the cycle. What is not whole stays so for more
+  /// than a few ticks.
+  void look_at_mesh_every(uint32_t ticks) { look_every_ = ticks; }
 
   [[nodiscard]] const Causes& causes() const { return causes_; }
   /// Ticks with its cause until a condition was raised, the worst so far; 0: never raised.
@@ -38,6 +41,9 @@ class Checks {
   std::string check_heat_limits(const Cycle& cycle);
   std::string check_body(const Loop& loop);
   std::string check_watchdog(const Loop& loop) const;
+  [[nodiscard]] bool looks_at_mesh(const Loop& loop) const {
+    return may_be_broken_ || loop.tick() % look_every_ == 0;
+  }
   void note_detection(safety::ConditionSet raised);
 
   Causes causes_;
@@ -50,6 +56,7 @@ class Checks {
   ClampCounters clamps_{};
   bool may_clamp_ = false;
   bool may_be_broken_ = false;
+  uint32_t look_every_ = 1;
   std::array<uint32_t, safety::kConditionCount> detected_in_{};
   uint32_t zero_torque_in_ = 0;
 };

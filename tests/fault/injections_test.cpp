@@ -92,16 +92,28 @@ TEST(FaultInjection, OfABrokenLinkDoesNotLeadOutOfTheMesh) {
   if (can_be_tried(event.kind)) expect_safe({event}, run_trial(store(), {event}));
 }
 
-TEST(FaultInjection, OfPairsOfEventsLeavesTheDeviceSafe) {
+/// A merge brings the wrong leaf to where the walk over the leaves has been: the next round finds it.
+TEST(FaultInjection, OfABrokenLinkIsFoundThoughItsLeafMoves) {
+  const std::vector<Event> pair = {{EventKind::kCountRange, 1482, 1, 714645},
+                                   {EventKind::kMeshLink, 1510, 5, 818217}};
+  if (can_be_tried(EventKind::kMeshLink)) expect_safe(pair, run_trial(store(), pair));
+}
+
+/// In parts that can run side by side.
+class FaultInjectionPart : public testing::TestWithParam<uint32_t> {};
+constexpr uint32_t kParts = 4;
+
+TEST_P(FaultInjectionPart, OfPairsOfEventsLeavesTheDeviceSafe) {
   ASSERT_EQ(store().failure(), "");
-  test::Random random(4048);
-  const uint32_t pairs = test::in_soak(100000u, kPairs);
+  test::Random random(4048 + GetParam());
+  const uint32_t pairs = test::in_soak(100000u, kPairs) / kParts;
   for (uint32_t i = 0; i < pairs; ++i) {
     const std::vector<Event> pair = random_pair(random);
     expect_safe(pair, run_trial(store(), pair));
     if (test::is_soak() && i % 1000 == 999) std::printf("%u pairs\n", i + 1);
   }
 }
+INSTANTIATE_TEST_SUITE_P(FaultInjection, FaultInjectionPart, testing::Range(0u, kParts));
 
 }  // namespace
 }  // namespace palpate::fault

@@ -101,7 +101,7 @@ class FaultInQemu : public ::testing::Test {
       now.sensors.report.timing.message_number = now.sensors.report.timing.tick_number;
     });
     const firmware::Sensors& sensors = twin_.now.sensors;
-    const auto answer = controller_.answer(telemetry::message_of(sensors), sensors.report.requests);
+    const auto answer = controller_.answer(telemetry::message_of(sensors), {sensors.report.requests});
     ASSERT_NO_FATAL_FAILURE(expect_same(answer, twin_)) << "tick " << twin_.tick();
     ASSERT_NE(answer.watchdog_level, watchdog_level_) << "a cycle in time did not feed the watchdogs";
     watchdog_level_ = answer.watchdog_level;

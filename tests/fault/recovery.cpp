@@ -67,7 +67,7 @@ std::string Recovery::come_to_rest(const PoolsInUse& at_rest) {
       at_rest.groups, now.tethers);
 }
 
-std::string Recovery::run(bool needs_start, const PoolsInUse& at_rest) {
+std::string Recovery::run(bool needs_start) {
   std::string failure;
   if (needs_start) {
     failure = stay_in_fault();
@@ -77,7 +77,6 @@ std::string Recovery::run(bool needs_start, const PoolsInUse& at_rest) {
   }
   if (failure.empty()) failure = reach_active();
   if (failure.empty()) failure = feel_force();
-  if (failure.empty()) failure = come_to_rest(at_rest);
   return failure.empty() ? failure : "recovery: " + failure;
 }
 

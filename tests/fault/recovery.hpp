@@ -11,7 +11,9 @@ class Recovery {
   Recovery(Loop& loop, Checks& checks) : loop_(loop), checks_(checks) {}
 
   /// The first thing that does not come back, or an empty string. `needs_start`: only a new start helps.
-  std::string run(bool needs_start, const PoolsInUse& at_rest);
+  std::string run(bool needs_start);
+  /// After run: that the body leaves nothing behind in the pools.
+  std::string come_to_rest(const PoolsInUse& at_rest);
   [[nodiscard]] uint32_t ticks_to_active() const { return ticks_to_active_; }
 
  private:
@@ -19,7 +21,6 @@ class Recovery {
   std::string stay_in_fault();
   std::string reach_active();
   std::string feel_force();
-  std::string come_to_rest(const PoolsInUse& at_rest);
 
   Loop& loop_;
   Checks& checks_;

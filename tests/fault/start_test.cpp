@@ -72,7 +72,9 @@ TEST(FaultAtStart, ANewStartWithTheWholeModelHelps) {
   ASSERT_NO_FATAL_FAILURE(expect_no_torque(loop, 300));
   ASSERT_TRUE(start_from(whole_container(), loop.cycle));
   Checks checks;
-  EXPECT_EQ(Recovery(loop, checks).run(false, at_rest), "");
+  Recovery recovery(loop, checks);
+  EXPECT_EQ(recovery.run(false), "");
+  EXPECT_EQ(recovery.come_to_rest(at_rest), "");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "injector.hpp"
 #include "recovery.hpp"
+#include "support/soak.hpp"
 
 namespace palpate::fault {
 namespace {
@@ -11,6 +12,11 @@ namespace {
 bool has(const std::vector<Event>& events, EventKind kind) {
   return std::any_of(events.begin(), events.end(), [kind](const Event& event) { return event.kind == kind; });
 }
+
+constexpr uint32_t kLookEvery = 8;
+
+/// Half of a trial's time is the wait for a body at rest: a soak waits in one of so many.
+constexpr uint32_t kSoakRestEvery = 8;
 
 uint32_t first_tick(const std::vector<Event>& events) {
   uint32_t first = events.front().start;
@@ -66,6 +72,7 @@ Outcome run_trial(const SnapshotStore& store, const std::vector<Event>& events) 
     now.checks.allow_clamps();
   }
   if (has(events, EventKind::kMeshLink)) now.checks.allow_broken_mesh();
+  now.checks.look_at_mesh_every(kLookEvery);
   Outcome outcome;
   outcome.failure = run_events(now, events);
   outcome.checks = now.checks;
@@ -74,8 +81,12 @@ Outcome run_trial(const SnapshotStore& store, const std::vector<Event>& events) 
   outcome.needed_new_start = now.loop.cycle.safety.raised.overlaps(safety::kUntilNewStart);
   outcome.failure = check_need(now, events, outcome.needed_new_start);
   if (!outcome.failure.empty()) return outcome;
-  outcome.failure = recovery.run(outcome.needed_new_start, store.pools_at_rest());
+  outcome.failure = recovery.run(outcome.needed_new_start);
   outcome.recovery_ticks = recovery.ticks_to_active();
+  const bool waits_for_rest = first_tick(events) % test::in_soak(kSoakRestEvery, 1u) == 0;
+  if (outcome.failure.empty() && waits_for_rest) {
+    outcome.failure = recovery.come_to_rest(store.pools_at_rest());
+  }
   return outcome;
 }
 

@@ -59,7 +59,7 @@ const File& sample() {
   static const File file = [] {
     RecordedRun run(true, {3, 0});
     run.run(3);
-    static_cast<void>(run.recorder().change({3, 7}));
+    run.change({3, 7});
     run.run(3);
     // A snapshot as it might be, but for its bytes.
     auto chunks = chunks_of_recording(run.end());

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "recording/inspection.hpp"
 #include "telling_board.hpp"
 
 namespace palpate::sim {
@@ -27,6 +28,23 @@ TEST(LineRecorder, RecordsWhatCanBeHadAgain) {
   EXPECT_EQ(recorder.ticks(), 3001u);
   EXPECT_EQ(recorder.end(), container::WriteStatus::kDone);
   EXPECT_EQ(replayed_ticks(sink.file()), 3001u);
+}
+
+/// A change that the firmware refuses is none.
+TEST(LineRecorder, RecordsChangesOfSettings) {
+  TellingBoard board;
+  board.plan({{150, {1, safety::ramp_step(64).raw()}}, {151, {4, -1}}});
+  Sink sink;
+  LineRecorder recorder(sink, board.start());
+  for (int tick = 0; tick < 301; ++tick) {
+    for (const link::Frame& frame : board.tick()) recorder.push(frame);
+  }
+  EXPECT_EQ(recorder.end(), container::WriteStatus::kDone);
+  EXPECT_EQ(replayed_ticks(sink.file()), 301u);
+  const recording::Inspection inspection = recording::inspect(sink.file());
+  ASSERT_EQ(inspection.changes.size(), 1u);
+  EXPECT_EQ(inspection.changes[0].tick, 149u);
+  EXPECT_EQ(inspection.changes[0].change.setting, 1u);
 }
 
 /// Who comes late waits for the next start.

@@ -95,7 +95,7 @@ TEST(LinkController, GetsTheAnswerOfItsTickAndSeesTheRest) {
     SensorsMessage sensors{};
     sensors.tick = tick;
     sensors.encoder_counts[0] = static_cast<int32_t>(3 * tick);
-    const auto answer = controller.answer(sensors, safety::EventSet::of(safety::Event::kEnable));
+    const auto answer = controller.answer(sensors, {safety::EventSet::of(safety::Event::kEnable)});
     ASSERT_EQ(answer.tick, tick);
     ASSERT_EQ(answer.motor_codes[0], 3 * tick);
   }
@@ -104,11 +104,14 @@ TEST(LinkController, GetsTheAnswerOfItsTickAndSeesTheRest) {
   EXPECT_EQ(controller.counters().bad_lengths, 100u);
 }
 
-TEST(LinkController, SendsRequestsBeforeTheSensorsOfTheirTick) {
+TEST(LinkController, SendsAWishBeforeTheSensorsOfItsTick) {
   std::vector<link::MessageType> seen;
+  std::vector<link::CommandMessage> commands;
   {
-    const Peer peer([&seen](const link::Frame& frame, link::FrameWriter& writer) {
+    const Peer peer([&](const link::Frame& frame, link::FrameWriter& writer) {
       seen.push_back(frame.type);
+      link::CommandMessage command{};
+      if (link::decode(frame, command) == link::DecodeStatus::kDone) commands.push_back(command);
       if (frame.type != link::MessageType::kSensors) return kNothing;
       std::vector<uint8_t> bytes;
       append(answer_to(frame), writer, bytes);
@@ -118,11 +121,20 @@ TEST(LinkController, SendsRequestsBeforeTheSensorsOfTheirTick) {
     SensorsMessage sensors{};
     (void)controller.answer(sensors, {});
     sensors.tick = 1;
-    (void)controller.answer(sensors, safety::EventSet::of(safety::Event::kDisable));
+    (void)controller.answer(sensors, {safety::EventSet::of(safety::Event::kDisable)});
+    sensors.tick = 2;
+    (void)controller.answer(sensors, {{}, {4, -7}});
   }
   using link::MessageType;
   EXPECT_EQ(seen,
-            (std::vector<MessageType>{MessageType::kSensors, MessageType::kCommand, MessageType::kSensors}));
+            (std::vector<MessageType>{MessageType::kSensors, MessageType::kCommand, MessageType::kSensors,
+                                      MessageType::kCommand, MessageType::kSensors}));
+  ASSERT_EQ(commands.size(), 2u);
+  EXPECT_EQ(commands[0].requests, safety::EventSet::of(safety::Event::kDisable).bits());
+  EXPECT_EQ(commands[0].setting, 0u);
+  EXPECT_EQ(commands[1].requests, 0u);
+  EXPECT_EQ(commands[1].setting, 4u);
+  EXPECT_EQ(commands[1].value, -7);
 }
 
 TEST(LinkController, RefusesTheAnswerOfAnotherTick) {

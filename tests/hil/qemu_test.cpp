@@ -47,6 +47,7 @@ void expect_same_bits(const std::string& link, int ticks) {
   Scenario scenario = touch_scenario();
   scenario.link = link;
   scenario.ticks = ticks;
+  scenario.settings = "900: continuous current = 1.2; 1600: contact force = 0.2; 2500: max velocity = 0.0015";
   const test::TemporaryFolder folder;
   scenario.record = (folder / "recording").string();
   const RunFolder run_folder(folder / "run");

@@ -118,20 +118,19 @@ TEST(SerialLine, CarriesTheLockstep) {
     HostController<Small, firmware::NoProbe> controller(*state, probe);
     link::FrameReader reader;
     link::FrameWriter writer;
-    safety::EventSet requests;
+    UserWish wish;
     while (!line.is_over()) {
       for (const uint8_t byte : line.receive()) {
         if (!reader.push(byte)) continue;
         link::CommandMessage command{};
         link::SensorsMessage sensors{};
         if (link::decode(reader.frame(), command) == link::DecodeStatus::kDone) {
-          requests |= telemetry::requests_of(command);
+          wish = {telemetry::requests_of(command), telemetry::change_of(command)};
         } else if (link::decode(reader.frame(), sensors) == link::DecodeStatus::kDone) {
           link::WireFrame wire;
-          writer.write(link::ActuatorsMessage::kType, link::encode(controller.answer(sensors, requests)),
-                       wire);
+          writer.write(link::ActuatorsMessage::kType, link::encode(controller.answer(sensors, wish)), wire);
           line.send(wire.data(), wire.size());
-          requests = {};
+          wish = {};
         }
       }
     }

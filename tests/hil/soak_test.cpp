@@ -39,7 +39,7 @@ class FaultyWorld final : public Controller {
  public:
   FaultyWorld(Controller& firmware, uint64_t seed) : firmware_(firmware), random_(seed) {}
 
-  link::ActuatorsMessage answer(const link::SensorsMessage& sensors, safety::EventSet requests) override {
+  link::ActuatorsMessage answer(const link::SensorsMessage& sensors, const UserWish& wish) override {
     link::SensorsMessage seen = sensors;
     if (left_ == 0 && is_faulty && random_.below(20000) == 0) left_ = 1 + random_.below(300);
     if (left_ > 0) {
@@ -48,7 +48,7 @@ class FaultyWorld final : public Controller {
       seen.emergency_stop_pressed = left_ % 2 == 0;
       seen.amplifier_fault = !seen.emergency_stop_pressed;
     }
-    return firmware_.answer(seen, requests);
+    return firmware_.answer(seen, wish);
   }
 
   bool is_faulty = true;

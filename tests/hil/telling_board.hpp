@@ -29,6 +29,7 @@ class TellingBoard {
     restart();
   }
   [[nodiscard]] recording::Start start() const { return recording::start_of(*state_, "device", true); }
+  void plan(const std::vector<PlannedChange>& changes) { loop_->plan(changes); }
   /// From power on.
   void restart() {
     EXPECT_EQ(firmware::start(*state_, cycle_model(scenario_)), Status::kDone);

@@ -15,7 +15,7 @@ class Wall final : public Controller {
  public:
   explicit Wall(double stiffness_n_m) : stiffness_n_m_(stiffness_n_m) {}
 
-  link::ActuatorsMessage answer(const link::SensorsMessage& sensors, safety::EventSet) override {
+  link::ActuatorsMessage answer(const link::SensorsMessage& sensors, const UserWish&) override {
     namespace premium = phantom::premium;
     const auto posture = premium::posture(phantom::joint_angles(premium::kPremium15, sensors.encoder_counts));
     y_m = std::ldexp(premium::tool_position(posture)[1].raw(), -phantom::Metre::kFractionBits);

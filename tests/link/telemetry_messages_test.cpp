@@ -52,17 +52,17 @@ TEST(MotorsMessage, HasItsBytesWhereTheDocumentSays) {
 }
 
 TEST(InputsMessage, HasItsBytesWhereTheDocumentSays) {
-  const link::InputsMessage message{0x04030201, 0x14131211, 0x01841000, 0x34333231, true};
-  const Payload expected{0x01, 0x02, 0x03, 0x04, 0x11, 0x12, 0x13, 0x14, 0x00,
-                         0x10, 0x84, 0x01, 0x31, 0x32, 0x33, 0x34, 0x01};
+  const link::InputsMessage message{0x04030201, 0x14131211, 0x01841000, 0x34333231, true, true, 0x5251, -2};
+  const Payload expected{0x01, 0x02, 0x03, 0x04, 0x11, 0x12, 0x13, 0x14, 0x00, 0x10, 0x84, 0x01,
+                         0x31, 0x32, 0x33, 0x34, 0x01, 0x01, 0x51, 0x52, 0xfe, 0xff, 0xff, 0xff};
   EXPECT_EQ(link::encode(message), expected);
 }
 
 TEST(InputsMessage, ReturnsFromItsBytes) { expect_round_trips(random_inputs); }
-/// The bits of requests but 0, 2, 6 and 1 of a byte's 8; of a byte that is 0 or 1 all others; 7 reserved
-/// bytes.
-TEST(InputsMessage, RefusesReservedBits) {
-  expect_one_encoding<link::InputsMessage>(255 + 252 + 192 + 254 + 254 + 7 * 255);
+/// The bits of requests but 0, 2, 6 and 1 of a byte's 8; of a byte that is 0 or 1 all others; a value or a
+/// refusal without a setting.
+TEST(InputsMessage, RefusesWhatCannotHaveEntered) {
+  expect_one_encoding<link::InputsMessage>(255 + 252 + 192 + 254 + 254 + 5 * 255);
 }
 TEST(CommandMessage, ReturnsFromItsBytes) { expect_round_trips(random_command); }
 TEST(TelemetryMessage, ReturnsFromItsBytes) { expect_round_trips(random_telemetry); }

@@ -70,6 +70,7 @@ TEST(Figures, OfTheOmniAreThoseOfTheFirmware) {
   EXPECT_EQ(omni::kEncoders.counts_per_joint_turn_milli[0], 1000.0 * omni::kCountsPerTurn.value);
   EXPECT_FALSE(phantom::omni::kLengthsVerified);
   EXPECT_FALSE(phantom::omni::kCountsPerRadianVerified);
+  EXPECT_FALSE(phantom::omni::kInkwellVerified);
 }
 
 TEST(Figures, AreListedInTheManualWithTheirValues) {

@@ -94,7 +94,7 @@ TEST(RecordingDocument, HasTheFieldsOfARow) {
 }
 
 TEST(RecordingDocument, HasTheSettings) {
-  const auto rows = table("| setting | type | name |");
+  const auto rows = table("| setting | type | name | unit |");
   ASSERT_EQ(rows.size(), firmware::kSettings);
   for (uint16_t setting = 1; setting <= firmware::kSettings; ++setting) {
     EXPECT_EQ(rows[setting - 1u][0], std::to_string(setting));

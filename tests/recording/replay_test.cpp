@@ -123,7 +123,7 @@ TEST(Replay, FindsAChangedInput) {
 TEST(Replay, NeedsTheChangesOfSettings) {
   RecordedRun run(true, {0, 0});
   run.enable();
-  ASSERT_TRUE(run.recorder().change({1, safety::ramp_step(64).raw()}));
+  run.change({1, safety::ramp_step(64).raw()});
   run.is_dragging = true;
   run.run(150);
   auto chunks = chunks_of_recording(run.end());

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "palpate/firmware/cycle.hpp"
 #include "support/recordings.hpp"
 
 namespace palpate::test {
@@ -24,8 +25,7 @@ File settings_bytes(const firmware::CycleState<Small>& state) {
   container::FieldWriter<MemorySink> fields(writer);
   writer.begin(Kind::kRecording);
   writer.begin_chunk(Tag::of("TEST"), 1, 0, firmware::safety_fields::kThresholdBytes + 16);
-  firmware::safety_fields::thresholds(fields, state.safety.parameters);
-  firmware::settings_detail::front_thresholds(fields, state.core.model.remesh);
+  firmware::all_settings(fields, state.safety.parameters, state.core.model.remesh);
   writer.end_chunk();
   EXPECT_EQ(writer.end(), WriteStatus::kDone);
   return File(sink.file.begin() + 32, sink.file.begin() + 32 + firmware::safety_fields::kThresholdBytes + 16);
@@ -89,6 +89,32 @@ TEST(Settings, RefuseWhatIsNotUsable) {
     EXPECT_FALSE(change_setting(*state, change)) << change.setting << " " << change.value;
     EXPECT_EQ(settings_bytes(*state), before);
   }
+}
+
+/// A change enters with the sensors, and holds from this tick on.
+TEST(Settings, ChangeInTheCycle) {
+  const auto state = started();
+  const auto cycle = [&state](const firmware::SettingChange& change) {
+    firmware::Sensors sensors{};
+    sensors.report.change = change;
+    firmware::Actuators actuators{};
+    firmware::NoProbe probe;
+    firmware::cycle(*state, sensors, actuators, probe);
+  };
+  const auto limit = phantom::Newton::ratio(5, 2);
+  cycle({4, limit.raw()});
+  EXPECT_FALSE(state->is_setting_refused);
+  EXPECT_EQ(state->safety.parameters.force.max_newtons, limit);
+  cycle({4, -1});
+  EXPECT_TRUE(state->is_setting_refused);
+  EXPECT_EQ(state->safety.parameters.force.max_newtons, limit);
+  cycle({0, 0});
+  EXPECT_FALSE(state->is_setting_refused);
+  firmware::refuse_model(*state);
+  const File before = settings_bytes(*state);
+  cycle({4, limit.raw()});
+  EXPECT_TRUE(state->is_setting_refused);
+  EXPECT_EQ(settings_bytes(*state), before);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "paper/published.hpp"
 #include "paper/table1_output.hpp"
 #include "program.hpp"
-#include "text/split_at_commas.hpp"
+#include "text/split_at.hpp"
 
 namespace palpate::test {
 namespace {

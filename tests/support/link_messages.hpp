@@ -94,12 +94,17 @@ inline link::InputsMessage random_inputs(Random& random) {
     *one = random_word(random);
   message.requests = static_cast<uint32_t>(random.bits()) & link::kRequestBits;
   message.is_late = random.below(2) == 1;
+  if (random.below(2) == 0) return message;
+  message.is_refused = random.below(2) == 1;
+  message.setting = static_cast<uint16_t>(1 + random.below(65535));
+  message.value = static_cast<int32_t>(random_word(random));
   return message;
 }
 
 inline bool is_same(const link::InputsMessage& a, const link::InputsMessage& b) {
   return a.tick == b.tick && a.message_number == b.message_number && a.requests == b.requests &&
-         a.findings == b.findings && a.is_late == b.is_late;
+         a.findings == b.findings && a.is_late == b.is_late && a.is_refused == b.is_refused &&
+         a.setting == b.setting && a.value == b.value;
 }
 
 inline bool is_same(const link::CommandMessage& a, const link::CommandMessage& b) {

@@ -50,6 +50,8 @@ class RecordedRun {
     recorder_->note(sensors_);
   }
   void tick(safety::Event request) { tick(safety::EventSet::of(request)); }
+  /// In the next tick.
+  void change(const firmware::SettingChange& change) { change_ = change; }
   void run(uint32_t ticks) {
     for (uint32_t i = 0; i < ticks; ++i) tick();
   }
@@ -79,7 +81,7 @@ class RecordedRun {
     sensors_.encoder_counts = {-turned_, static_cast<int32_t>(number_ % 2), 0};
     sensors_.grasp_button = is_dragging;
     sensors_.gimbal = {2048, static_cast<uint16_t>(number_ % 4096), 1};
-    sensors_.report = {{number_, number_, false}, reported, requests};
+    sensors_.report = {{number_, number_, false}, reported, requests, std::exchange(change_, {})};
     firmware::Actuators actuators{};
     firmware::NoProbe probe;
     firmware::cycle(*state_, sensors_, actuators, probe);
@@ -89,6 +91,7 @@ class RecordedRun {
   MemorySink sink_;
   std::unique_ptr<Recorder> recorder_;
   firmware::Sensors sensors_{};
+  firmware::SettingChange change_{};
   uint32_t number_ = 0;
   int32_t turned_ = 0;
 };
@@ -100,7 +103,7 @@ inline File recorded_drag(uint32_t ticks, recording::Pace pace = {}) {
   run.run(30);
   run.is_dragging = true;
   run.run(ticks);
-  EXPECT_TRUE(run.recorder().change({4, phantom::Newton::ratio(7, 1).raw()}));
+  run.change({4, phantom::Newton::ratio(7, 1).raw()});
   run.run(ticks);
   run.tick({}, safety::ConditionSet::of(safety::Condition::kEmergencyStop));
   run.run(5);

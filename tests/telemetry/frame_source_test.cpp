@@ -165,6 +165,8 @@ TEST(FrameSource, TellsADeviceWhole) {
     if (tick == 10) record->sensors.report.requests = safety::EventSet::of(safety::Event::kEnable);
     if (tick == 30)
       record->sensors.report.reported = safety::ConditionSet::of(safety::Condition::kInvariantBroken);
+    if (tick == 33) record->sensors.report.change = {4, -7};
+    record->is_setting_refused = tick == 33;
     if (tick >= 35) record->sensors.report.timing.tick_number += 5;
     ring.publish();
   }
@@ -173,11 +175,16 @@ TEST(FrameSource, TellsADeviceWhole) {
   std::map<MessageType, std::vector<uint32_t>> ticks;
   for (const link::Frame& frame : sent(source, ring, writer)) {
     ticks[frame.type].push_back(link::load_u32<0>(frame.payload));
+    if (frame.type != MessageType::kInputs || ticks[frame.type].back() != 133) continue;
+    const auto inputs = decoded<link::InputsMessage>(frame);
+    EXPECT_EQ(inputs.setting, 4u);
+    EXPECT_EQ(inputs.value, -7);
+    EXPECT_TRUE(inputs.is_refused);
   }
   EXPECT_EQ(ticks[MessageType::kSensors].size(), 40u);
   EXPECT_EQ(ticks[MessageType::kActuators].size(), 40u);
-  // The first one has no tick before it; then a request, a late cycle, a finding and a gap.
-  EXPECT_EQ(ticks[MessageType::kInputs], (std::vector<uint32_t>{101, 110, 120, 130, 140}));
+  // The first one has no tick before it; then a request, a late cycle, a finding, a change and a gap.
+  EXPECT_EQ(ticks[MessageType::kInputs], (std::vector<uint32_t>{101, 110, 120, 130, 133, 140}));
   EXPECT_EQ(ticks[MessageType::kTelemetry], (std::vector<uint32_t>{1, 11, 21, 31}));
 }
 
@@ -230,6 +237,12 @@ TEST(TickRecord, IsWhatTheCycleHas) {
     EXPECT_EQ(record.force[i], state->force[static_cast<Eigen::Index>(i)]);
   }
   EXPECT_EQ(record.winding[0], safety::Celsius::ratio(25, 1));
+}
+
+TEST(Command, ChangesASetting) {
+  const firmware::SettingChange change = telemetry::change_of({0, 4, -7, false});
+  EXPECT_EQ(change.setting, 4u);
+  EXPECT_EQ(change.value, -7);
 }
 
 TEST(Command, AsksTheSafetyLayer) {

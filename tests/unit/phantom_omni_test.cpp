@@ -44,6 +44,7 @@ Triple inverse(const Triple& p) {
 TEST(OmniCounts, SayThatTheyAreUnverified) {
   EXPECT_FALSE(omni::kCountsPerRadianVerified);
   EXPECT_FALSE(omni::kLengthsVerified);
+  EXPECT_FALSE(omni::kInkwellVerified);
 }
 
 TEST(OmniCounts, ResolveThePublished55Micrometres) {
@@ -63,6 +64,26 @@ TEST(OmniPosition, IsThePublishedUncalibratedPoseAtZero) {
   EXPECT_NEAR(pose[0], 0, 1e-9);
   EXPECT_NEAR(pose[1], -0.110, 2e-9);
   EXPECT_NEAR(pose[2], -0.035, 2e-9);
+}
+
+/// Whatever the decoders show in the inkwell: there and anywhere else the tool is where it is.
+TEST(OmniPosition, IsCalibratedInTheInkwell) {
+  const Triple in_inkwell = inverse({0, -0.0655, -0.0881});
+  const Counts shown = {1234, -4321, 77};
+  const auto position_at = [&shown](const Counts& counts) {
+    const JointAngles angles = joint_angles(omni::kInkwell, counts_since(shown, counts));
+    return test::to_triple(omni::tool_position(omni::posture(angles)));
+  };
+  const Triple there = position_at(shown);
+  EXPECT_NEAR(there[0], 0, 1e-9);
+  EXPECT_NEAR(there[1], -0.0655, 2e-5);
+  EXPECT_NEAR(there[2], -0.0881, 2e-5);
+  const double radians_per_count = 2 * test::kPi / 19227;
+  const Triple moved =
+      position({in_inkwell[0] + 900 * radians_per_count, in_inkwell[1] + 2000 * radians_per_count,
+                in_inkwell[2] - 300 * radians_per_count});
+  const Triple seen = position_at({1234 + 900, -4321 + 2000, 77 - 300});
+  for (const double error : test::difference(seen, moved)) EXPECT_NEAR(error, 0, 3e-5);
 }
 
 TEST(OmniPosition, HasItsOriginInTheMiddleOfTheWorkspace) {

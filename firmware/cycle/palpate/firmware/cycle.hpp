@@ -11,15 +11,18 @@
 
 #include "palpate/firmware/cycle_state.hpp"
 #include "palpate/firmware/self_test.hpp"
+#include "palpate/firmware/settings.hpp"
 #include "palpate/firmware/stage.hpp"
 #include "palpate/tick/tick.hpp"
 
 namespace palpate::firmware {
 namespace cycle_stages {
 
-/// Counts from where the encoders were reset. 16-bit counters differ by less than 2^17.
-constexpr phantom::Counts counts_since_reset(const phantom::Counts& counts, const phantom::Counts& at_reset) {
-  return {counts[0] - at_reset[0], counts[1] - at_reset[1], counts[2] - at_reset[2]};
+/// While the cycle stands still no setting changes.
+template <class Profile>
+PALPATE_NOINLINE void apply_change(CycleState<Profile>& state, SettingChange change) {
+  state.is_setting_refused =
+      change.setting != 0 && (state.fault != Fault::kNone || !change_setting(state, change));
 }
 
 /// Counts that can't be trusted move no tool: before calibration, and from the tick on that shows a fault.
@@ -29,8 +32,8 @@ PALPATE_NOINLINE void kinematics(CycleState<Profile>& state, const Sensors& sens
   const bool is_trusted = !safety::sense(state.safety, seen).overlaps(safety::kFaults) &&
                           safety::is_calibrated(state.safety.state);
   const phantom::Counts counts = phantom::in_range(sensors.encoder_counts);
-  const auto angles =
-      phantom::joint_angles(phantom::premium::kPremium15, counts_since_reset(counts, state.counts_at_reset));
+  const auto angles = phantom::joint_angles(phantom::premium::kPremium15,
+                                            phantom::counts_since(state.counts_at_reset, counts));
   state.posture = phantom::premium::posture(angles);
   seen.tool_position = phantom::premium::tool_position(state.posture);
   state.input.has_tool = is_trusted;
@@ -83,6 +86,7 @@ PALPATE_NOINLINE void motor_codes(CycleState<Profile>& state, safety::Observatio
 template <class Profile, class Probe>
 void cycle(CycleState<Profile>& state, const Sensors& sensors, Actuators& actuators, Probe& probe) {
   actuators = at_rest();
+  cycle_stages::apply_change(state, sensors.report.change);
   if (state.fault != Fault::kNone) return;
 
   safety::Observation seen{sensors.encoder_counts,         zero_vector<phantom::Metre>(),

@@ -27,6 +27,7 @@ struct CycleState {
   Vector3<phantom::Newton> force;   // that the body asks for, on the handle
   safety::Safety safety;
   InvariantWatch invariants;
+  bool is_setting_refused;  // the change that entered this cycle
   bool amplifiers_enabled;
   std::array<uint16_t, 3> motor_codes;
   StateHash code_history;       // of the motor codes of every cycle so far
@@ -58,6 +59,7 @@ template <class Profile>
   state.force = zero_vector<phantom::Newton>();
   state.safety = scripted_safety();
   state.invariants = InvariantWatch{0, false};
+  state.is_setting_refused = false;
   state.amplifiers_enabled = false;
   state.motor_codes = at_rest().motor_codes;
   state.code_history = StateHash();

@@ -11,7 +11,8 @@ struct InvariantWatch {
   bool is_broken;  // for good
 };
 
-/// All leaves in leaf_count / kLeavesATick ticks. Constant time.
+/// All leaves in leaf_count / kLeavesATick ticks; one that a change of the mesh takes to where the walk has
+/// been comes in the next round. Constant time.
 template <class Profile>
 void examine_slice(const Forest<Profile>& forest, const Block& block, InvariantWatch& watch) {
   for ([[maybe_unused]] const uint32_t i :

@@ -5,11 +5,18 @@
 
 namespace palpate::firmware {
 
+/// A threshold that is to have another value (settings.hpp).
+struct SettingChange {
+  uint16_t setting;  ///< its number; 0: none is changed
+  int32_t value;     ///< the field's raw one
+};
+
 /// What a board knows beside counts and buttons; nothing, when the counts come from a script.
 struct DeviceReport {
   safety::TimingReport timing{0, 0, false};
   safety::ConditionSet reported;  ///< of safety::kReported
   safety::EventSet requests;      ///< of safety::kRequests
+  SettingChange change{0, 0};     ///< takes effect in this tick
 };
 
 struct Sensors {

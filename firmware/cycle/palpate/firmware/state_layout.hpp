@@ -58,10 +58,10 @@ constexpr uint64_t layout_fingerprint() {
   return layout_detail::mixed(
       sizeof(C), alignof(C), offsetof(C, core), offsetof(C, scene), offsetof(C, counts_at_reset),
       offsetof(C, posture), offsetof(C, input), offsetof(C, output), offsetof(C, force), offsetof(C, safety),
-      offsetof(C, invariants), offsetof(C, amplifiers_enabled), offsetof(C, motor_codes),
-      offsetof(C, code_history), offsetof(C, peak_force_square), offsetof(C, flags_seen),
-      offsetof(C, tethers_full_ticks), offsetof(C, fault), layout_detail::of_core<Profile>(),
-      layout_detail::of_mesh<Profile>(), layout_detail::kOfSafety);
+      offsetof(C, invariants), offsetof(C, is_setting_refused), offsetof(C, amplifiers_enabled),
+      offsetof(C, motor_codes), offsetof(C, code_history), offsetof(C, peak_force_square),
+      offsetof(C, flags_seen), offsetof(C, tethers_full_ticks), offsetof(C, fault),
+      layout_detail::of_core<Profile>(), layout_detail::of_mesh<Profile>(), layout_detail::kOfSafety);
 }
 
 }  // namespace palpate::firmware

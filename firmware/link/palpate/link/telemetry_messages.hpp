@@ -68,7 +68,7 @@ struct MotorsMessage {
 };
 
 /// From the firmware: what entered a tick beside the sensors, when it is not what follows from the tick
-/// before: no requests, nobody late, both numbers one more.
+/// before: no requests, no change, nobody late, both numbers one more.
 struct InputsMessage {
   static constexpr MessageType kType = MessageType::kInputs;
 
@@ -77,6 +77,9 @@ struct InputsMessage {
   uint32_t requests;        ///< bits of kRequestBits
   uint32_t findings;        ///< of the firmware's background, bit n is condition n
   bool is_late;             ///< the last cycle ended after this one was due
+  bool is_refused;          ///< the change
+  uint16_t setting;         ///< number of the setting that a command changed; 0: none
+  int32_t value;            ///< its new raw value; 0 where setting is 0
 };
 
 /// Straight-line code, as all that follow. Other bits are sent as they are: the receiver refuses them.
@@ -221,6 +224,9 @@ constexpr Payload encode(const InputsMessage& message) {
   store_u32<8>(payload, message.requests);
   store_u32<12>(payload, message.findings);
   store_u8<16>(payload, message.is_late ? 1 : 0);
+  store_u8<17>(payload, message.is_refused ? 1 : 0);
+  store_u16<18>(payload, message.setting);
+  store_i32<20>(payload, message.value);
   return payload;
 }
 
@@ -229,10 +235,19 @@ constexpr Payload encode(const InputsMessage& message) {
   const Payload& payload = frame.payload;
   const uint32_t requests = load_u32<8>(payload);
   const uint32_t late = load_u8<16>(payload);
-  const uint32_t reserved = load_u8<17>(payload) | load_u16<18>(payload) | load_u32<20>(payload);
-  if ((requests & ~kRequestBits) != 0 || late > 1 || reserved != 0) return DecodeStatus::kBadValue;
-  message =
-      InputsMessage{load_u32<0>(payload), load_u32<4>(payload), requests, load_u32<12>(payload), late != 0};
+  const uint32_t refused = load_u8<17>(payload);
+  const uint16_t setting = load_u16<18>(payload);
+  const int32_t value = load_i32<20>(payload);
+  const bool is_stray = setting == 0 && (value != 0 || refused != 0);
+  if ((requests & ~kRequestBits) != 0 || late > 1 || refused > 1 || is_stray) return DecodeStatus::kBadValue;
+  message = InputsMessage{load_u32<0>(payload),
+                          load_u32<4>(payload),
+                          requests,
+                          load_u32<12>(payload),
+                          late != 0,
+                          refused != 0,
+                          setting,
+                          value};
   return DecodeStatus::kDone;
 }
 

@@ -1,16 +1,21 @@
-// What a command of the wire asks the safety layer for.
+// What a command of the wire asks a tick for.
 #pragma once
 
+#include "palpate/firmware/sensors.hpp"
 #include "palpate/link/telemetry_messages.hpp"
-#include "palpate/safety/event.hpp"
 
 namespace palpate::telemetry {
 
 static_assert(link::kRequestBits == safety::kRequests.bits(), "palpate: the wire has every request");
 
-/// For the observation of one tick (safety::Observation::requests).
+/// Of the safety layer.
 constexpr safety::EventSet requests_of(const link::CommandMessage& command) {
   return safety::EventSet::of_bits(command.requests) & safety::kRequests;
+}
+
+/// Whether there is such a setting the tick knows.
+constexpr firmware::SettingChange change_of(const link::CommandMessage& command) {
+  return {command.setting, command.value};
 }
 
 }  // namespace palpate::telemetry

@@ -73,9 +73,11 @@ constexpr safety::ConditionSet findings(const firmware::DeviceReport& report) {
   return report.reported.without(safety::kDeviceReports);
 }
 
-constexpr link::InputsMessage inputs(const firmware::DeviceReport& report) {
+constexpr link::InputsMessage inputs(const TickRecord& record) {
+  const firmware::DeviceReport& report = record.sensors.report;
   return {report.timing.tick_number, report.timing.message_number, report.requests.bits(),
-          findings(report).bits(), report.timing.is_late};
+          findings(report).bits(),   report.timing.is_late,        record.is_setting_refused,
+          report.change.setting,     report.change.value};
 }
 
 /// `has_inputs`: what stands for the watchdog's level, which nobody here has.
@@ -117,7 +119,7 @@ class FrameSource {
     if (is_due(kSensors)) {
       write(message_of(record_.sensors));
     } else if (is_due(kInputs)) {
-      write(wire::inputs(record_.sensors.report));
+      write(wire::inputs(record_));
     } else if (is_due(kActuators)) {
       write(wire::actuators(record_, has_inputs_));
     } else if (is_due(kTelemetry)) {
@@ -166,7 +168,8 @@ class FrameSource {
     const firmware::DeviceReport& report = record_.sensors.report;
     const safety::TimingReport& now = report.timing;
     return now.tick_number == before.tick_number + 1 && now.message_number == before.message_number + 1 &&
-           !now.is_late && report.requests.bits() == 0 && wire::findings(report).is_empty();
+           !now.is_late && report.requests.bits() == 0 && report.change.setting == 0 &&
+           wire::findings(report).is_empty();
   }
 
   Tells tells_;

@@ -6,8 +6,8 @@
 
 namespace palpate::telemetry {
 
-/// Numbered as the timer's tick. The message's own number, requests, a late cycle and what others than the
-/// device report are not in it.
+/// Numbered as the timer's tick. The message's own number, requests, changes, a late cycle and what others
+/// than the device report are not in it.
 inline link::SensorsMessage message_of(const firmware::Sensors& sensors) {
   using safety::Condition;
   const firmware::DeviceReport& report = sensors.report;

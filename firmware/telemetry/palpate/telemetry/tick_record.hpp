@@ -24,6 +24,7 @@ struct TickRecord {
   safety::State state;
   firmware::Fault fault;
   bool amplifiers_enabled;
+  bool is_setting_refused;
 };
 
 /// After the cycle. While the cycle stands still with a fault, tool and force are the last ones. Some 10
@@ -53,6 +54,7 @@ void fill_record(TickRecord& record, const firmware::Sensors& sensors,
   record.state = state.safety.state;
   record.fault = state.fault;
   record.amplifiers_enabled = state.amplifiers_enabled;
+  record.is_setting_refused = state.is_setting_refused;
 }
 
 }  // namespace palpate::telemetry

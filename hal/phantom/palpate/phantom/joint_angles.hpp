@@ -18,7 +18,7 @@ using AnglePerCount = Q<18, 13>;
 
 struct Calibration {
   std::array<AnglePerCount, 3> angle_per_count;  ///< its sign is the encoder's direction
-  JointAngles at_zero_counts;                    ///< where the decoders were reset
+  JointAngles at_zero_counts;                    ///< the pose of the calibration
 };
 
 /// What a joint's encoder resolves, as integers: the host reads the same figures.
@@ -49,6 +49,12 @@ constexpr bool counts_in_range(const Counts& counts) {
 constexpr Counts in_range(const Counts& counts) {
   const auto clamped = [](int32_t count) { return count < -32768 ? -32768 : count > 32767 ? 32767 : count; };
   return {clamped(counts[0]), clamped(counts[1]), clamped(counts[2])};
+}
+
+/// From a pose in which the encoders showed `in_pose`: a calibration there needs no reset of the decoders.
+/// 16-bit counters differ by less than 2^17.
+constexpr Counts counts_since(const Counts& in_pose, const Counts& counts) {
+  return {counts[0] - in_pose[0], counts[1] - in_pose[1], counts[2] - in_pose[2]};
 }
 
 /// at_zero + counts x angle_per_count, counts clamped to 16 bits. Within 2.5 LSB of Angle (3.7e-9 rad) for
