@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "recording/inspection.hpp"
+#include "recording/setting_value.hpp"
 
 namespace palpate::recording {
 namespace {
@@ -47,8 +48,8 @@ std::vector<std::string> condition_lines(const Inspection& inspection) {
 std::vector<std::string> change_lines(const Inspection& inspection) {
   std::vector<std::string> lines;
   for (const RecordedChange& one : inspection.changes) {
-    lines.push_back(fmt::format("tick {}: {} = {}", one.tick, firmware::setting_name(one.change.setting),
-                                one.change.value));
+    lines.push_back(fmt::format("from tick {} on: {} = {:g}", one.tick + 1,
+                                firmware::setting_name(one.change.setting), value_of(one.change)));
   }
   return lines;
 }
@@ -96,7 +97,7 @@ nlohmann::json changes_json(const Inspection& inspection) {
   for (const RecordedChange& one : inspection.changes) {
     all.push_back({{"tick", one.tick},
                    {"setting", firmware::setting_name(one.change.setting)},
-                   {"value", one.change.value}});
+                   {"value", value_of(one.change)}});
   }
   return all;
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "palpate/firmware/cycle.hpp"
+#include "recording/setting_value.hpp"
 #include "support/recordings.hpp"
 
 namespace palpate::test {
@@ -89,6 +90,14 @@ TEST(Settings, RefuseWhatIsNotUsable) {
     EXPECT_FALSE(change_setting(*state, change)) << change.setting << " " << change.value;
     EXPECT_EQ(settings_bytes(*state), before);
   }
+}
+
+TEST(Settings, HaveValuesInTheirUnits) {
+  EXPECT_EQ(recording::value_of({4, phantom::Newton::ratio(5, 2).raw()}), 2.5);
+  EXPECT_EQ(recording::value_of({10, 700}), 700.0);
+  EXPECT_EQ(recording::value_of({14, safety::Celsius::ratio(70, 1).raw()}), 70.0);
+  EXPECT_EQ(recording::value_of({21, -1}), 4294967295.0);
+  EXPECT_EQ(recording::value_of({kSettings + 1, 7}), 0.0);
 }
 
 /// A change enters with the sensors, and holds from this tick on.
