@@ -16,9 +16,9 @@ namespace palpate {
 
 /// Entries of A and of twice e. |A| <= kStretchLimit, so twice e stays within 10.
 using Strain = Q<4, 27>;
-/// sigma / (6 E_ref): clamped to +-kStressLimit, which is 4 E_ref (observed in use: 1.5).
+/// sigma / (6 E_ref): clamped to +-kStressLimit, which is 3 E_ref (observed in use: 1.5).
 using Stress = Q<5, 26>;
-inline constexpr Stress kStressLimit = Stress::ratio(4, 6);
+inline constexpr Stress kStressLimit = Stress::ratio(1, 2);
 /// The trace of e is clamped to just below 2 (observed: 0.07).
 using Trace = Q<1, 30>;
 inline constexpr Strain kTraceLimit = Strain::from_raw((int32_t{2} << Strain::kFractionBits) - 1);

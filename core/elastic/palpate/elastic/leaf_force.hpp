@@ -1,36 +1,42 @@
 // The corotated force of one leaf in its group's frame, in the hot loop's form. With the leaf's signed axes
 // as a signed permutation S (tet_shape.hpp), B = S^T A S has the rows
 //   B_jk = s_j (g_k)[axis j] / h,
-// so axes are addresses and signs belong to rows; the isotropic law commutes with S, and row j of the stress
-// gives component axis j of all three edge forces.
+// so axes are addresses and signs belong to rows. The isotropic law commutes with S, and row j of the stress
+// gives component axis j of all three edge forces, with the sign s_j again. Off the diagonal only s_j s_k
+// matters, and it is applied twice.
+//
+// Nothing is scaled by h: with c_jk = (g_k)[axis j] and t the type, an edge's force is sigma h^2 / 2^t, so
+//   s_j sigma_jk h^2 / 2^t = mu h / 2^t (c_jk + s_j s_k c_kj),
+// and the coefficients carry the powers of two. Code of its own for each level has them as constants.
 #pragma once
 
 #include "palpate/elastic/element_force.hpp"
+#include "palpate/numeric/clamp_flag.hpp"
+#include "palpate/numeric/high_word.hpp"
 
 namespace palpate {
 
-/// Where row j of a leaf is in a vector, and its sign as a mask: 0, or -1 for minus.
-struct SignedAxis {
-  uint32_t axis;
-  int32_t mask;
-  [[nodiscard]] int32_t apply(int32_t raw) const { return (raw ^ mask) - mask; }
-};
+namespace leaf_force_detail {
 
-inline SignedAxis signed_axis(Axes axes, uint32_t j) {
-  return SignedAxis{axes.axis(j), axes.is_negative(j) ? -1 : 0};
+/// `mask` is 0, or -1 for minus.
+template <class Fixed>
+PALPATE_ALWAYS_INLINE Fixed with_sign(int32_t mask, Fixed value) {
+  return Fixed::from_raw((value.raw() ^ mask) - mask);
 }
 
-template <TetType Type>
+}  // namespace leaf_force_detail
+
+template <uint8_t Level>
 class LeafForce {
  public:
-  LeafForce(Axes axes, uint8_t level)
-      : axes_{signed_axis(axes, 0), signed_axis(axes, 1), signed_axis(axes, 2)},
-        size_(size_of_level(level)) {}
+  PALPATE_ALWAYS_INLINE explicit LeafForce(Axes axes)
+      : axis_{axes.axis(0), axes.axis(1), axes.axis(2)},
+        minus_{axes.is_negative(0) ? -1 : 0, axes.is_negative(1) ? -1 : 0, axes.is_negative(2) ? -1 : 0} {}
 
-  /// B from the positions of the four nodes in the group's frame.
+  /// The edge vectors, from the positions of the four nodes in the group's frame: within +-4 edges.
   PALPATE_ALWAYS_INLINE void gather(const Vector3<Position>& w0, const Vector3<Position>& w1,
                                     const Vector3<Position>& w2, const Vector3<Position>& w3,
-                                    uint32_t& clamped) {
+                                    ClampFlag& clamped) {
     gather_row<0>(w0, w1, w2, w3, clamped);
     gather_row<1>(w0, w1, w2, w3, clamped);
     gather_row<2>(w0, w1, w2, w3, clamped);
@@ -40,74 +46,108 @@ class LeafForce {
   [[nodiscard]] PALPATE_ALWAYS_INLINE Matrix3<Strain> gradient() const {
     Matrix3<Strain> a;
     for (const uint32_t i : bounded<9>(9, [] {})) {
-      const SignedAxis row = axes_[i / 3];
-      const SignedAxis column = axes_[i % 3];
-      a.data()[row.axis + 3 * column.axis] =
-          Strain::from_raw(row.apply(column.apply(b_.data()[i / 3 + 3 * (i % 3)].raw())));
+      const uint32_t row = i / 3;
+      const uint32_t column = i % 3;
+      const int32_t scaled = c_[row][column].raw() * (1 << kSize);
+      a.data()[axis_[row] + 3 * axis_[column]] =
+          leaf_force_detail::with_sign(minus_[column], Strain::from_raw(scaled));
     }
     return a;
   }
 
-  /// Adds the nodal forces.
+  /// Adds the nodal forces. 7 multiplies.
   PALPATE_ALWAYS_INLINE void scatter(const Material& material, Vector3<Force>& f0, Vector3<Force>& f1,
-                                     Vector3<Force>& f2, Vector3<Force>& f3, uint32_t& clamped) const {
-    const Matrix3<Stress> sigma = corotated_stress(b_, material, clamped);
-    scatter_row<0>(sigma, f0, f1, f2, f3);
-    scatter_row<1>(sigma, f0, f1, f2, f3);
-    scatter_row<2>(sigma, f0, f1, f2, f3);
+                                     Vector3<Force>& f2, Vector3<Force>& f3, ClampFlag& clamped) const {
+    Force t[3][3];
+    edge_forces(material, t, clamped);
+    scatter_row<0>(t[0], f0, f1, f2, f3);
+    scatter_row<1>(t[1], f0, f1, f2, f3);
+    scatter_row<2>(t[2], f0, f1, f2, f3);
   }
 
  private:
+  static constexpr TetType kType = type_of_level(Level);
+  static constexpr int kSize = size_of_level(Level);
+  static constexpr int kTypeBits = static_cast<int>(kType);
+  static constexpr Position kEdge =
+      Position::from_raw((int32_t{1} << Position::kFractionBits) >> kSize);  // h
+  /// Of +-kStretchLimit h, +-kTraceLimit h and +-kStressLimit h^2 / 2^t.
+  static constexpr int kStretchBits = 30 - kSize;
+  static constexpr int kTraceBits = 29 - kSize;
+  static constexpr int kForceBits = 25 - 2 * kSize - kTypeBits;
+  static_assert(kStretchLimit == 4 && kTraceLimit.raw() == (int32_t{1} << 28) - 1 &&
+                    kStressLimit == Stress::ratio(1, 2),
+                "palpate: the limits are powers of two");
+
   template <int Row>
   PALPATE_ALWAYS_INLINE void gather_row(const Vector3<Position>& w0, const Vector3<Position>& w1,
                                         const Vector3<Position>& w2, const Vector3<Position>& w3,
-                                        uint32_t& clamped) {
-    const SignedAxis at = axes_[Row];
-    const int32_t x0 = w0.data()[at.axis].raw();
-    const int32_t x1 = w1.data()[at.axis].raw();
-    const int32_t x2 = w2.data()[at.axis].raw();
-    const int32_t x3 = w3.data()[at.axis].raw();
-    const int32_t g2 = Type == TetType::kType2 ? (x2 - x0) + (x2 - x1) : x2 - x1;
-    const int32_t g3 = Type == TetType::kType0   ? x3 - x2
-                       : Type == TetType::kType1 ? (x3 - x0) + (x3 - x2)
-                                                 : 2 * (x3 - x2);
-    b_(Row, 0) = stretch(x1 - x0, at, clamped);
-    b_(Row, 1) = stretch(g2, at, clamped);
-    b_(Row, 2) = stretch(g3, at, clamped);
+                                        ClampFlag& clamped) {
+    const Position x0 = w0.data()[axis_[Row]];
+    const Position x1 = w1.data()[axis_[Row]];
+    const Position x2 = w2.data()[axis_[Row]];
+    const Position x3 = w3.data()[axis_[Row]];
+    const Position g2 = kType == TetType::kType2 ? (x2 - x0) + (x2 - x1) : x2 - x1;
+    const Position g3 = kType == TetType::kType0   ? x3 - x2
+                        : kType == TetType::kType1 ? (x3 - x0) + (x3 - x2)
+                                                   : (x3 - x2) + (x3 - x2);
+    c_[Row][0] = clamped.clamp<kStretchBits>(x1 - x0);
+    c_[Row][1] = clamped.clamp<kStretchBits>(g2);
+    c_[Row][2] = clamped.clamp<kStretchBits>(g3);
   }
 
-  [[nodiscard]] PALPATE_ALWAYS_INLINE Strain stretch(int32_t g, const SignedAxis& at,
-                                                     uint32_t& clamped) const {
-    const int32_t limit = (int32_t{kStretchLimit} << Strain::kFractionBits) >> size_;
-    const int32_t low = g < -limit ? -limit : g;
-    const int32_t within = low > limit ? limit : low;
-    clamped |= static_cast<uint32_t>(within ^ g);
-    return Strain::from_raw(at.apply(static_cast<int32_t>(static_cast<uint32_t>(within) << size_)));
+  /// mu h / 2^t, at most 1/12.
+  PALPATE_ALWAYS_INLINE static Q<1, 30> shear(const Material& material) {
+    static_assert(ShearCoefficient::kFractionBits == 31);
+    return Q<1, 30>::from_raw(material.shear.raw() >> (1 + kSize + kTypeBits));
+  }
+  /// lambda h / 2^t.
+  PALPATE_ALWAYS_INLINE static BulkCoefficient bulk(const Material& material) {
+    return BulkCoefficient::from_raw(material.bulk.raw() >> (kSize + kTypeBits));
+  }
+
+  /// t_jk, component axis j of the force that pulls at g_k.
+  PALPATE_ALWAYS_INLINE void edge_forces(const Material& material, Force (&t)[3][3],
+                                         ClampFlag& clamped) const {
+    const Q<1, 30> mu = shear(material);
+    const Position stretch[3] = {leaf_force_detail::with_sign(minus_[0], c_[0][0]),
+                                 leaf_force_detail::with_sign(minus_[1], c_[1][1]),
+                                 leaf_force_detail::with_sign(minus_[2], c_[2][2])};
+    const Position trace =
+        clamped.clamp<kTraceBits>(stretch[0] + stretch[1] + stretch[2] - (kEdge + kEdge + kEdge));
+    const Force pressure = multiply_high<Force>(bulk(material), Q<2, 29>::from_raw(trace.raw() * 4));
+    const auto normal = [&](int j) {
+      const Position twice_strain = stretch[j] + stretch[j] - (kEdge + kEdge);
+      t[j][j] = leaf_force_detail::with_sign(
+          minus_[j], clamped.clamp<kForceBits>(multiply_add_high(mu, twice_strain, pressure)));
+    };
+    const auto tangential = [&](int j, int k) {
+      const int32_t minus = minus_[j] ^ minus_[k];
+      const Position twice_strain = c_[j][k] + leaf_force_detail::with_sign(minus, c_[k][j]);
+      t[j][k] = clamped.clamp<kForceBits>(multiply_high<Force>(mu, twice_strain));
+      t[k][j] = leaf_force_detail::with_sign(minus, t[j][k]);
+    };
+    normal(0);
+    normal(1);
+    normal(2);
+    tangential(0, 1);
+    tangential(0, 2);
+    tangential(1, 2);
   }
 
   template <int Row>
-  PALPATE_ALWAYS_INLINE void scatter_row(const Matrix3<Stress>& sigma, Vector3<Force>& f0, Vector3<Force>& f1,
+  PALPATE_ALWAYS_INLINE void scatter_row(const Force (&t)[3], Vector3<Force>& f0, Vector3<Force>& f1,
                                          Vector3<Force>& f2, Vector3<Force>& f3) const {
-    const SignedAxis at = axes_[Row];
-    const uint32_t shift = 2u * size_ + static_cast<uint32_t>(Type) + 1u;
-    const int32_t half = static_cast<int32_t>(uint32_t{1} << (shift - 1u));
-    const auto edge = [&](int k) { return Force::from_raw(at.apply((sigma(Row, k).raw() + half) >> shift)); };
-    const Force t1 = edge(0);
-    const Force t2 = edge(1);
-    const Force t3 = edge(2);
-    Force& y0 = f0.data()[at.axis];
-    Force& y1 = f1.data()[at.axis];
-    Force& y2 = f2.data()[at.axis];
-    Force& y3 = f3.data()[at.axis];
-    y0 += Type == TetType::kType0 ? t1 : Type == TetType::kType1 ? t1 + t3 : t1 + t2;
-    y1 += t2 - t1;
-    y2 += Type == TetType::kType2 ? (t3 - t2) + (t3 - t2) : t3 - t2;
-    y3 -= Type == TetType::kType0 ? t3 : t3 + t3;
+    const auto& [t1, t2, t3] = t;
+    f0.data()[axis_[Row]] += kType == TetType::kType0 ? t1 : kType == TetType::kType1 ? t1 + t3 : t1 + t2;
+    f1.data()[axis_[Row]] += t2 - t1;
+    f2.data()[axis_[Row]] += kType == TetType::kType2 ? (t3 - t2) + (t3 - t2) : t3 - t2;
+    f3.data()[axis_[Row]] -= kType == TetType::kType0 ? t3 : t3 + t3;
   }
 
-  SignedAxis axes_[3];
-  uint32_t size_;
-  Matrix3<Strain> b_;
+  uint32_t axis_[3];
+  int32_t minus_[3];
+  Position c_[3][3];
 };
 
 }  // namespace palpate
