@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "block_times.hpp"
 #include "certificate.hpp"
-#include "scoreboard.hpp"
 
 namespace palpate::wcet {
 
@@ -26,7 +26,8 @@ Network BoundAnalysis::make_network(size_t function) const {
   for (size_t i = 0; i < graph.blocks.size(); ++i) {
     network.nodes.push_back({function, i, std::nullopt, marks_of(graph.blocks[i])});
   }
-  for (size_t i = 0; i < graph.blocks.size(); ++i) add_arcs(i, graph.blocks[i], network);
+  const std::vector<Cycles> cycles = time_blocks(model_, graph);
+  for (size_t i = 0; i < graph.blocks.size(); ++i) add_arcs(i, graph.blocks[i], cycles[i], network);
   return network;
 }
 
@@ -38,8 +39,7 @@ std::vector<Mark> BoundAnalysis::marks_of(const Block& block) const {
   return marks;
 }
 
-void BoundAnalysis::add_arcs(size_t node, const Block& block, Network& network) const {
-  const Cycles cycles = block_cycles(model_, block.code);
+void BoundAnalysis::add_arcs(size_t node, const Block& block, Cycles cycles, Network& network) const {
   for (const Edge& edge : block.edges) {
     Arc arc;
     arc.from = node;
@@ -110,7 +110,7 @@ void BoundAnalysis::solve(FunctionBound& result) const {
   result.bound = *proved;
 }
 
-// Names the first block that such a loop is entered by.
+// Names a block that such a loop is entered by.
 void BoundAnalysis::refuse_unbounded(const FunctionBound& result) const {
   const Network& network = result.network;
   const std::vector<bool> goes_round = find_unbounded_arcs(network, result.facts);
@@ -118,15 +118,9 @@ void BoundAnalysis::refuse_unbounded(const FunctionBound& result) const {
   for (size_t i = 0; i < network.arcs.size(); ++i) {
     if (goes_round[i]) within[network.arcs[i].from] = true;
   }
-  const auto any = std::find(within.begin(), within.end(), true);
-  auto header = static_cast<size_t>(any - within.begin());
-  for (const Arc& arc : network.arcs) {
-    if (arc.to != kExit && within[arc.to] && !within[arc.from]) {
-      header = arc.to;
-      break;
-    }
-  }
-  const Node& node = network.nodes[header];
+  const auto enters = [&](const Arc& arc) { return arc.to != kExit && within[arc.to] && !within[arc.from]; };
+  const auto entry = std::find_if(network.arcs.begin(), network.arcs.end(), enters);
+  const Node& node = network.nodes[entry == network.arcs.end() ? 0 : entry->to];
   const Block& block = calls_.functions()[node.function].blocks[node.block];
   throw Refusal(program_.place(block.address()), "a loop without a flow fact");
 }

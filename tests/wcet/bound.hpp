@@ -32,7 +32,7 @@ class BoundAnalysis {
   void analyse(size_t function);
   Network make_network(size_t function) const;
   std::vector<Mark> marks_of(const Block& block) const;
-  void add_arcs(size_t node, const Block& block, Network& network) const;
+  void add_arcs(size_t node, const Block& block, Cycles cycles, Network& network) const;
   void splice(const Network& callee, const Arc& call, Network& network) const;
   void take_facts(FunctionBound& result, bool is_root) const;
   void refuse_open_bodies(const FunctionBound& result, const std::vector<LoopFact>& open) const;

@@ -11,8 +11,8 @@ constexpr uint8_t kNoRegister = 16;
 
 uint8_t number_of(int reg) {
   constexpr int kNumbers[] = {ARM_REG_R0,  ARM_REG_R1, ARM_REG_R2, ARM_REG_R3, ARM_REG_R4,  ARM_REG_R5,
-                                   ARM_REG_R6,  ARM_REG_R7, ARM_REG_R8, ARM_REG_R9, ARM_REG_R10, ARM_REG_R11,
-                                   ARM_REG_R12, ARM_REG_SP, ARM_REG_LR, ARM_REG_PC};
+                              ARM_REG_R6,  ARM_REG_R7, ARM_REG_R8, ARM_REG_R9, ARM_REG_R10, ARM_REG_R11,
+                              ARM_REG_R12, ARM_REG_SP, ARM_REG_LR, ARM_REG_PC};
   const auto* found = std::find(std::begin(kNumbers), std::end(kNumbers), reg);
   return static_cast<uint8_t>(found - std::begin(kNumbers));  // status registers: kNoRegister
 }

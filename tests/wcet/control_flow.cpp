@@ -69,7 +69,8 @@ class GraphBuilder {
   }
 
   void refuse_overrun(const Instruction& at, uint32_t next) const {
-    if (program_.at(next) == nullptr || (next != entry_ && program_.image().functions().count(next) != 0)) {
+    const ElfImage& image = program_.image();
+    if (program_.at(next) == nullptr || image.function_around(next) != image.function_around(at.address)) {
       throw Refusal(program_.place(at.address), "runs past its function's end");
     }
   }

@@ -37,10 +37,8 @@ class LinearProgram {
     glp_simplex(problem_, &options);
     if (glp_exact(problem_, &options) != 0) throw std::runtime_error("GLPK found no exact solution");
     const int status = glp_get_status(problem_);
-    if (status != GLP_OPT && status != GLP_UNBND) throw std::runtime_error("GLPK says that no path exists");
     Solution solution;
     solution.is_bounded = status == GLP_OPT;
-    solution.objective = glp_get_obj_val(problem_);
     for (int arc = 1; arc <= columns(); ++arc) solution.counts.push_back(glp_get_col_prim(problem_, arc));
     for (int row = 1; row <= nodes(); ++row) solution.potentials.push_back(glp_get_row_dual(problem_, row));
     for (int row = nodes() + 1; row <= glp_get_num_rows(problem_); ++row) {

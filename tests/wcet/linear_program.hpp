@@ -8,8 +8,7 @@
 namespace palpate::wcet {
 
 struct Solution {
-  bool is_bounded = false;
-  double objective = 0;
+  bool is_bounded = false;          // not where a loop has no bound, or no way out
   std::vector<double> counts;       // by arc
   std::vector<double> potentials;   // by node: the dual value of its balance
   std::vector<double> multipliers;  // by fact

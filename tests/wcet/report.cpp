@@ -102,7 +102,7 @@ std::optional<std::string> stage_name(const std::string& function) {
   const size_t at = function.find(kMark);
   if (at == std::string::npos || function.find('(') < at) return std::nullopt;
   const std::string rest = function.substr(at + kMark.size());
-  return rest.substr(0, rest.find('('));
+  return rest.substr(0, rest.find_first_of("<("));
 }
 
 void print(const Findings& findings) {

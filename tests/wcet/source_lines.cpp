@@ -1,52 +1,73 @@
 #include "source_lines.hpp"
 
+#include <dwarf.h>
 #include <elfutils/libdw.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
-#include <iterator>
 
 namespace palpate::wcet {
 namespace {
 
-void add_line(Dwarf_Line* line, std::map<uint32_t, std::string>& lines) {
-  Dwarf_Addr address = 0;
+std::string line_text(const char* file, int number) {
+  return fmt::format("{}:{}", std::filesystem::path(file).filename().string(), number);
+}
+
+std::string line_at(Dwarf_Die* unit, uint32_t address) {
+  Dwarf_Line* line = dwarf_getsrc_die(unit, address);
   int number = 0;
-  bool is_end = false;
-  if (dwarf_lineaddr(line, &address) != 0 || dwarf_lineno(line, &number) != 0) return;
-  if (dwarf_lineendsequence(line, &is_end) != 0) return;
-  const char* file = dwarf_linesrc(line, nullptr, nullptr);
-  const auto at = static_cast<uint32_t>(address);
-  if (is_end) {
-    lines.emplace(at, "");
-  } else if (file != nullptr && number > 0) {
-    lines[at] = std::filesystem::path(file).filename().string() + ":" + std::to_string(number);
+  const char* file = line == nullptr ? nullptr : dwarf_linesrc(line, nullptr, nullptr);
+  if (file == nullptr || dwarf_lineno(line, &number) != 0 || number == 0) return "";
+  return line_text(file, number);
+}
+
+std::string call_line(Dwarf_Die* unit, Dwarf_Die* inlined) {
+  Dwarf_Attribute attribute;
+  Dwarf_Word file = 0, line = 0;
+  if (dwarf_formudata(dwarf_attr(inlined, DW_AT_call_file, &attribute), &file) != 0) return "";
+  if (dwarf_formudata(dwarf_attr(inlined, DW_AT_call_line, &attribute), &line) != 0) return "";
+  Dwarf_Files* files = nullptr;
+  size_t count = 0;
+  if (dwarf_getsrcfiles(unit, &files, &count) != 0 || file >= count) return "";
+  return line_text(dwarf_filesrc(files, file, nullptr, nullptr), static_cast<int>(line));
+}
+
+// The innermost scope of an address, and from it outwards: the last inlined one is what the function itself
+// calls.
+std::string outermost_call(Dwarf_Die* unit, uint32_t address) {
+  Dwarf_Die* innermost = nullptr;
+  Dwarf_Die* scopes = nullptr;
+  const bool is_known = dwarf_getscopes(unit, address, &innermost) > 0;
+  const int count = is_known ? dwarf_getscopes_die(innermost, &scopes) : 0;
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    if (dwarf_tag(&scopes[i]) == DW_TAG_inlined_subroutine) text = call_line(unit, &scopes[i]);
   }
+  std::free(scopes);
+  std::free(innermost);
+  return text;
 }
 
 }  // namespace
 
-SourceLines::SourceLines(const std::string& path) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return;
-  if (Dwarf* dwarf = dwarf_begin(file, DWARF_C_READ)) {
-    Dwarf_CU* unit = nullptr;
-    Dwarf_Die die;
-    while (dwarf_get_units(dwarf, unit, &unit, nullptr, nullptr, &die, nullptr) == 0) {
-      Dwarf_Lines* lines = nullptr;
-      size_t count = 0;
-      if (dwarf_getsrclines(&die, &lines, &count) != 0) continue;
-      for (size_t i = 0; i < count; ++i) add_line(dwarf_onesrcline(lines, i), lines_);
-    }
-    dwarf_end(dwarf);
-  }
-  close(file);
+SourceLines::SourceLines(const std::string& path)
+    : file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)),
+      dwarf_(file_ < 0 ? nullptr : dwarf_begin(file_, DWARF_C_READ)) {}
+
+SourceLines::~SourceLines() {
+  dwarf_end(dwarf_);
+  if (file_ >= 0) close(file_);
 }
 
 std::string SourceLines::at(uint32_t address) const {
-  const auto after = lines_.upper_bound(address);
-  return after == lines_.begin() ? "" : std::prev(after)->second;
+  Dwarf_Die unit;
+  if (dwarf_ == nullptr || dwarf_addrdie(dwarf_, address, &unit) == nullptr) return "";
+  const std::string line = line_at(&unit, address);
+  const std::string call = outermost_call(&unit, address);
+  return call.empty() ? line : line + " within " + call;
 }
 
 }  // namespace palpate::wcet

@@ -2,19 +2,26 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
+
+struct Dwarf;
 
 namespace palpate::wcet {
 
 class SourceLines {
  public:
   explicit SourceLines(const std::string& path);
-  /// "file.cpp:12", the file's name without its folders; empty when nothing is known.
+  ~SourceLines();
+  SourceLines(const SourceLines&) = delete;
+  SourceLines& operator=(const SourceLines&) = delete;
+
+  /// "file.cpp:12", without folders; of inlined code also the line of the function that it is inlined into.
+  /// Empty when nothing is known.
   [[nodiscard]] std::string at(uint32_t address) const;
 
  private:
-  std::map<uint32_t, std::string> lines_;  // by the first address; empty where a sequence ends
+  int file_;
+  Dwarf* dwarf_;
 };
 
 }  // namespace palpate::wcet
