@@ -36,14 +36,15 @@ void CallGraph::visit(uint32_t entry) {
 }
 
 void CallGraph::visit_callee(const Block& block, uint32_t callee) {
-  const Place place = program_.place(block.last().address);
+  const auto refuse = [&](const std::string& why) {
+    throw Refusal(program_.place(block.last().address), why);
+  };
   const auto symbol = program_.image().functions().find(callee);
-  if (symbol == program_.image().functions().end()) {
-    throw Refusal(place, fmt::format("calls {:#x}, no function's start", callee));
-  }
+  if (symbol == program_.image().functions().end())
+    refuse(fmt::format("calls {:#x}, no function's start", callee));
   const std::string& name = symbol->second.name;
-  if (is_library_helper(name)) throw Refusal(place, "calls " + name + ", library code without a bound");
-  if (open_.count(callee) != 0) throw Refusal(place, "recursion: calls " + name + ", which leads here");
+  if (is_library_helper(name)) refuse("calls " + name + ", library code without a bound");
+  if (open_.count(callee) != 0) refuse("recursion: calls " + name + ", which leads here");
   if (indices_.count(callee) == 0) visit(callee);
 }
 

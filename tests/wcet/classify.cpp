@@ -199,6 +199,8 @@ class Classifier {
     const auto id = from_.id;
     if ((id == ARM_INS_MOV || id == ARM_INS_MOVW) && is_constant(1)) {
       out_.assignment = Assignment{Assignment::Kind::kConstant, destination, 0, operand(1).imm};
+    } else if (id == ARM_INS_ADR && is_constant(1)) {
+      add_address(destination, operand(1).imm);
     } else if (id == ARM_INS_MOVT && is_constant(1)) {
       out_.assignment = Assignment{Assignment::Kind::kUpperHalf, destination, destination, operand(1).imm};
     } else if (id == ARM_INS_MOV && is_register(1) && operand(1).shift.type == ARM_SFT_INVALID) {
@@ -208,10 +210,18 @@ class Classifier {
       if (!with_source && !is_constant(1)) return;
       const int32_t value = operand(with_source ? 2 : 1).imm;
       const bool minus = id == ARM_INS_SUB || id == ARM_INS_SUBW;
+      if (with_source && number_of(operand(1).reg) == kPc)
+        return add_address(destination, minus ? -value : value);
       out_.assignment =
           Assignment{Assignment::Kind::kSum, destination,
                      with_source ? number_of(operand(1).reg) : destination, minus ? -value : value};
     }
+  }
+
+  // Relative to pc, which is 4 ahead and is taken at a whole word.
+  void add_address(uint8_t destination, int32_t offset) {
+    const auto pc = static_cast<int32_t>((out_.address + 4) & ~3u);
+    out_.assignment = Assignment{Assignment::Kind::kConstant, destination, 0, pc + offset};
   }
 
   void jump(Flow flow, CostClass cost, uint8_t target_operand) {

@@ -27,6 +27,33 @@ std::vector<uint32_t> table_targets(const Program& program, const Instruction& a
   return targets;
 }
 
+const Instruction* previous(const Program& program, const Instruction& at) {
+  for (const uint32_t size : {2u, 4u}) {
+    const Instruction* found = program.at(at.address - size);
+    if (found != nullptr && found->next() == at.address) return found;
+  }
+  return nullptr;
+}
+
+// "adr r0, table" and "ldr pc, [r0, r1, lsl #2]", which gcc always writes as a pair: addresses, as words
+// among the code. The table ends where code begins, or where a word is no address of code.
+std::vector<uint32_t> word_table_targets(const Program& program, const Instruction& at) {
+  const Instruction* adr = previous(program, at);
+  if (adr == nullptr || !at.memory || !at.memory->has_index || !adr->assignment) return {};
+  if (adr->assignment->kind != Assignment::Kind::kConstant || adr->assignment->destination != at.memory->base)
+    return {};
+  const auto table = static_cast<uint32_t>(adr->assignment->value);
+  if (program.image().is_code(table)) return {};
+  std::vector<uint32_t> targets;
+  for (uint32_t entry = table; entry < program.image().stretch_end(table); entry += 4) {
+    const std::optional<uint32_t> word = program.image().read(entry, 4);
+    const bool is_target = word && (*word & 1) != 0 && program.at(*word & ~1u) != nullptr;
+    if (!is_target) break;
+    targets.push_back(*word & ~1u);
+  }
+  return targets;
+}
+
 void add_jump(const Program& program, uint32_t entry, uint32_t target, Successors& next) {
   if (target != entry && program.image().functions().count(target) != 0) {
     next.callees.push_back(target);
@@ -42,10 +69,10 @@ void refuse_unmarked(const Program& program, const Instruction& at, const std::v
 }
 
 void refuse_what_has_no_time(const Program& program, const Instruction& at) {
-  const Place place = program.place(at.address);
-  if (at.flow == Flow::kUndecodable) throw Refusal(place, "code that can't be decoded");
-  if (at.flow == Flow::kFloat) throw Refusal(place, "a floating-point instruction, " + at.text);
-  if (at.flow == Flow::kWait) throw Refusal(place, "waits for something outside of the program, " + at.text);
+  const auto refuse = [&](const std::string& why) { throw Refusal(program.place(at.address), why); };
+  if (at.flow == Flow::kUndecodable) refuse("code that can't be decoded");
+  if (at.flow == Flow::kFloat) refuse("a floating-point instruction, " + at.text);
+  if (at.flow == Flow::kWait) refuse("waits for something outside of the program, " + at.text);
 }
 
 }  // namespace
@@ -69,6 +96,8 @@ Successors successors_of(const Program& program, uint32_t entry, const Instructi
       next.goes_on = true;
       break;
     case Flow::kIndirectJump:
+      next.taken = word_table_targets(program, at);
+      if (!next.taken.empty()) break;
       refuse_unmarked(program, at, marked);
       next.callees = marked;
       next.returns = true;

@@ -58,6 +58,13 @@ TEST(Bound, BranchTable) {
   EXPECT_EQ(bound_of(assembler(code)), 4);
 }
 
+TEST(Bound, TableOfAddresses) {
+  const std::string code =
+      "\"adr r2, 3f\\n\\tldr.w pc, [r2, r0, lsl #2]\\n\\t.align 2\\n3: .word 1f + 1, 2f + 1, 1f + 1\\n"
+      "1: bx lr\\n2: nop\\n\\tnop\\n\\tbx lr\"";
+  EXPECT_EQ(bound_of(assembler(code)), 5);
+}
+
 // Entry, 3 instructions a round, and what is around it.
 TEST(Bound, LoopWithAFact) {
   const std::string code =

@@ -25,7 +25,7 @@ inline void semihosting(uint32_t operation, const void* argument) {
 }
 
 inline void print(uint32_t number) {
-  char text[12] = "          \n";
+  static char text[12] = "          \n";
   for (uint32_t at = 10; at-- > 0; number /= 10) text[at] = static_cast<char>('0' + number % 10);
   semihosting(0x04, text);
 }

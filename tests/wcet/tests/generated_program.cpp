@@ -31,7 +31,7 @@ class Generator {
  private:
   static constexpr uint32_t kHelpers = 5;
   static constexpr uint32_t kMostDepth = 4;
-  static constexpr uint64_t kMostWork = 3000;  // statements that a function may run, so that a run is short
+  static constexpr uint64_t kMostWork = 1500;  // statements that a function may run, so that a run is short
 
   uint32_t below(uint32_t count) { return static_cast<uint32_t>(random_() % count); }
   uint32_t between(uint32_t first, uint32_t last) { return first + below(last - first + 1); }
@@ -47,7 +47,7 @@ class Generator {
   // `rounds`: how often the block runs at most.
   void block(uint64_t rounds) {
     ++depth_;
-    const uint32_t statements = between(1, 3);
+    const uint32_t statements = between(1, depth_ < 3 ? 3 : 2);
     for (uint32_t i = 0; i < statements; ++i) statement(rounds);
     --depth_;
   }

@@ -6,7 +6,7 @@
 
 namespace palpate::wcet::test {
 
-inline constexpr uint32_t kRoots = 6;
+inline constexpr uint32_t kRoots = 4;
 
 /// C++ for the target with the functions root_0 .. root_<kRoots - 1>, each (uint32_t x, uint32_t full). What
 /// x leaves open, bits of `full` decide towards more rounds. It prints, a line each, the most instructions

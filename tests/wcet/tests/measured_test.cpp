@@ -42,7 +42,7 @@ TEST_P(Measured, IsWithinTheBound) {
 
 INSTANTIATE_TEST_SUITE_P(Options, Measured,
                          testing::Combine(testing::Values("-O1", "-O2", "-O3", "-Os", "-O3 -funroll-loops"),
-                                          testing::Range(1u, 5u)));
+                                          testing::Range(1u, 4u)));
 
 // Without a branch there is one way only.
 TEST(Measured, BranchFreeCodeIsExact) {
