@@ -10,6 +10,13 @@ namespace palpate::wcet {
 
 ElfImage::ElfImage(const std::string& path) { ElfReader(path, *this).read(); }
 
+const Section* ElfImage::find_section(const std::string& name) const {
+  for (const Section& section : sections_) {
+    if (section.name == name) return &section;
+  }
+  return nullptr;
+}
+
 const FunctionSymbol* ElfImage::function_around(uint32_t address) const {
   const auto after = functions_.upper_bound(address);
   if (after == functions_.begin()) return nullptr;
@@ -57,12 +64,10 @@ std::optional<uint32_t> ElfImage::read(uint32_t address, uint32_t bytes) const {
 }
 
 std::vector<FlowRecord> ElfImage::flow_records() const {
-  std::vector<FlowRecord> records;
-  for (const Section& section : sections_) {
-    if (section.name != ".wcet.flowfacts" || section.bytes.empty()) continue;
-    records.resize(section.bytes.size() / sizeof(FlowRecord));
-    std::memcpy(records.data(), section.bytes.data(), records.size() * sizeof(FlowRecord));
-  }
+  const Section* section = find_section(".wcet.flowfacts");
+  if (section == nullptr || section->bytes.empty()) return {};
+  std::vector<FlowRecord> records(section->bytes.size() / sizeof(FlowRecord));
+  std::memcpy(records.data(), section->bytes.data(), records.size() * sizeof(FlowRecord));
   return records;
 }
 

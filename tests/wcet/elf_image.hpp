@@ -29,6 +29,11 @@ struct FunctionSymbol {
   std::string name;  // demangled
 };
 
+struct Symbol {
+  std::string name;
+  bool is_undefined = false;
+};
+
 /// One record of the section .wcet.flowfacts, 16 bytes.
 struct FlowRecord {
   uint32_t kind;
@@ -44,6 +49,8 @@ class ElfImage {
   explicit ElfImage(const std::string& path);
 
   [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
+  [[nodiscard]] const Section* find_section(const std::string& name) const;
+  [[nodiscard]] const std::vector<Symbol>& symbols() const { return symbols_; }
   /// By address. Of several names of one address the first.
   [[nodiscard]] const std::map<uint32_t, FunctionSymbol>& functions() const { return functions_; }
   /// nullptr outside of all functions.
@@ -61,6 +68,7 @@ class ElfImage {
  private:
   friend class ElfReader;
   std::vector<Section> sections_;
+  std::vector<Symbol> symbols_;
   std::map<uint32_t, FunctionSymbol> functions_;
   std::map<uint32_t, bool> stretches_;  // by first address; true: code
 };

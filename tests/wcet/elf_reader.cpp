@@ -73,8 +73,10 @@ void ElfReader::read_symbols(Elf_Scn* section, const GElf_Shdr& header) {
   GElf_Sym symbol;
   for (int i = 0; data != nullptr && gelf_getsym(data, i, &symbol) != nullptr; ++i) {
     const char* text = elf_strptr(elf_, header.sh_link, symbol.st_name);
-    if (text == nullptr || symbol.st_shndx == SHN_UNDEF) continue;
+    if (text == nullptr) continue;
     const std::string name = text;
+    image_.symbols_.push_back({name, symbol.st_shndx == SHN_UNDEF});
+    if (symbol.st_shndx == SHN_UNDEF) continue;
     const auto address = static_cast<uint32_t>(symbol.st_value);
     if (name.rfind("$t", 0) == 0) image_.stretches_[address] = true;
     if (name.rfind("$d", 0) == 0 || name.rfind("$a", 0) == 0) image_.stretches_.emplace(address, false);

@@ -18,6 +18,7 @@ class Program {
 
   [[nodiscard]] const ElfImage& image() const { return image_; }
   [[nodiscard]] const FlowFacts& facts() const { return facts_; }
+  [[nodiscard]] const std::map<uint32_t, Instruction>& code() const { return code_; }
   /// nullptr where no instruction begins.
   [[nodiscard]] const Instruction* at(uint32_t address) const {
     const auto found = code_.find(address);
