@@ -48,9 +48,9 @@ std::vector<Cycles> time_blocks(const CostModel& model, const FunctionGraph& gra
       }
     }
   }
-  std::vector<Cycles> cycles;
+  std::vector<Cycles> cycles = device_cycles(model.devices, graph);
   for (size_t i = 0; i < graph.blocks.size(); ++i)
-    cycles.push_back(run(model, entries[i], graph.blocks[i]).cycles());
+    cycles[i] += run(model, entries[i], graph.blocks[i]).cycles();
   return cycles;
 }
 

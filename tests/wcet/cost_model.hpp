@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "devices.hpp"
 #include "flow_network.hpp"
 #include "instruction.hpp"
 
@@ -39,6 +40,7 @@ struct CostModel {
   // The board and its set-up.
   Predictor predictor = Predictor::kUnknown;
   Cycles wait_states = 0;  // of every 32-bit word fetched from code, without prefetch or cache
+  Devices devices;
 
   [[nodiscard]] const CostRow& row(const Instruction& of) const { return rows[static_cast<size_t>(of.cost)]; }
 };

@@ -38,6 +38,21 @@ class Disassembler {
   csh handle_ = 0;
 };
 
+// What a literal gives its register is known: it lies in code.
+void resolve_literals(const ElfImage& image, std::map<uint32_t, Instruction>& code) {
+  for (auto& [address, instruction] : code) {
+    const bool is_word = instruction.cost == CostClass::kLoadLiteral && !instruction.memory->has_index &&
+                         instruction.memory->bytes == 4 && !instruction.is_conditional;
+    if (!is_word) continue;
+    const uint32_t at = ((address + 4) & ~3u) + static_cast<uint32_t>(instruction.memory->offset);
+    const std::optional<uint32_t> value = image.read(at, 4);
+    const auto destination = lowest_of(instruction.writes);
+    if (!value) continue;
+    instruction.assignment =
+        Assignment{Assignment::Kind::kConstant, destination, 0, static_cast<int32_t>(*value)};
+  }
+}
+
 Instruction undecodable(const uint8_t* bytes, uint32_t address) {
   Instruction instruction;
   instruction.address = address;
@@ -71,6 +86,7 @@ std::map<uint32_t, Instruction> decode(const ElfImage& image) {
       }
     }
   }
+  resolve_literals(image, code);
   return code;
 }
 

@@ -51,6 +51,12 @@ inline constexpr uint8_t kPc = 15;
 constexpr RegisterSet only(uint8_t number) { return static_cast<RegisterSet>(1u << number); }
 constexpr bool has(RegisterSet set, uint8_t number) { return ((set >> number) & 1u) != 0; }
 
+constexpr uint8_t lowest_of(RegisterSet set) {
+  uint8_t number = 0;
+  while (number < kPc && !has(set, number)) ++number;
+  return number;
+}
+
 struct MemoryAccess {
   bool is_store = false;
   uint8_t base = 0;

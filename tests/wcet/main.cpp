@@ -16,6 +16,7 @@ struct Options {
   std::string root;
   std::string model;
   std::string json;
+  std::string devices;
   bool stack = false;
   bool interrupt = false;
   bool static_predictor = false;
@@ -33,6 +34,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--static-predictor", options.static_predictor,
                "the core takes backward branches and no forward ones (m7: ACTLR.DISBTACREAD)");
   app.add_option("--wait-states", options.wait_states, "cycles more for every word fetched from code");
+  app.add_option("--devices", options.devices, "a .toml file: what accesses to device registers cost more");
   app.add_option("--json", options.json, "writes all figures to this file");
 }
 
@@ -40,6 +42,7 @@ CostModel make_model(const Options& options) {
   CostModel model = read_cost_model(options.model);
   if (options.static_predictor) model.predictor = Predictor::kStatic;
   model.wait_states = options.wait_states;
+  if (!options.devices.empty()) model.devices = read_devices(options.devices);
   return model;
 }
 

@@ -1,5 +1,7 @@
 #include "register_values.hpp"
 
+#include <algorithm>
+
 namespace palpate::wcet {
 
 RegisterValues::RegisterValues() : values_{}, symbols_(0) {
@@ -11,6 +13,12 @@ std::optional<AddressRange> RegisterValues::range_of(const Instruction& instruct
   if (!memory || memory->has_index) return std::nullopt;
   const Value& base = values_[memory->base];
   return AddressRange{base.symbol, base.offset + memory->offset, memory->bytes};
+}
+
+bool RegisterValues::hold_constant_within(uint32_t first, uint32_t last) const {
+  return std::any_of(values_.begin(), values_.end(), [&](const Value& value) {
+    return value.symbol == 0 && first <= value.offset && value.offset <= last;
+  });
 }
 
 void RegisterValues::execute(const Instruction& instruction) {
@@ -26,7 +34,7 @@ void RegisterValues::execute(const Instruction& instruction) {
     Value& destination = values_[assignment->destination];
     switch (assignment->kind) {
       case Assignment::Kind::kConstant:
-        destination = {0, assignment->value};
+        destination = {0, static_cast<uint32_t>(assignment->value)};
         break;
       case Assignment::Kind::kUpperHalf:
         if (source.symbol == 0)

@@ -25,6 +25,8 @@ class RegisterValues {
   RegisterValues();
   /// Of the instruction's access, before the instruction changes a register; nothing with an index.
   [[nodiscard]] std::optional<AddressRange> range_of(const Instruction& instruction) const;
+  /// Whether any register holds a known constant of the range.
+  [[nodiscard]] bool hold_constant_within(uint32_t first, uint32_t last) const;
   void execute(const Instruction& instruction);
 
  private:
