@@ -32,6 +32,7 @@ mpq_class nearest_fraction(double value) {
 
 std::vector<mpq_class> nearest_fractions(const std::vector<double>& values) {
   std::vector<mpq_class> fractions;
+  fractions.reserve(values.size());
   for (const double value : values) fractions.push_back(nearest_fraction(value));
   return fractions;
 }

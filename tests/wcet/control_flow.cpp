@@ -13,7 +13,7 @@ class GraphBuilder {
 
   FunctionGraph run() {
     find_leaders();
-    FunctionGraph graph{entry_, program_.place(entry_).function, {}};
+    FunctionGraph graph{entry_, program_.function_name(entry_), {}};
     index_of(entry_);
     // A block's edges name blocks that may be still to make.
     for (size_t i = 0; i < order_.size(); ++i) graph.blocks.push_back(make_block(order_[i]));

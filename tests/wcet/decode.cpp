@@ -19,7 +19,9 @@ class Disassembler {
   }
   ~Disassembler() { cs_close(&handle_); }
   Disassembler(const Disassembler&) = delete;
+  Disassembler(Disassembler&&) = delete;
   Disassembler& operator=(const Disassembler&) = delete;
+  Disassembler& operator=(Disassembler&&) = delete;
 
   /// As far as it goes. One run, so that Capstone follows IT blocks. Returns the first address that is left.
   uint32_t run(const uint8_t* bytes, size_t size, uint32_t address, std::map<uint32_t, Instruction>& out) {

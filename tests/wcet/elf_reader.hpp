@@ -14,7 +14,9 @@ class ElfReader {
   ElfReader(const std::string& path, ElfImage& image);
   ~ElfReader();
   ElfReader(const ElfReader&) = delete;
+  ElfReader(ElfReader&&) = delete;
   ElfReader& operator=(const ElfReader&) = delete;
+  ElfReader& operator=(ElfReader&&) = delete;
 
   void read();
 

@@ -18,7 +18,9 @@ class LinearProgram {
   }
   ~LinearProgram() { glp_delete_prob(problem_); }
   LinearProgram(const LinearProgram&) = delete;
+  LinearProgram(LinearProgram&&) = delete;
   LinearProgram& operator=(const LinearProgram&) = delete;
+  LinearProgram& operator=(LinearProgram&&) = delete;
 
   /// No unit enters, and no arc carries more than one: what is left goes round.
   void close() {

@@ -25,9 +25,12 @@ class Program {
     return found == code_.end() ? nullptr : &found->second;
   }
   [[nodiscard]] std::string line_of(uint32_t address) const { return lines_.at(address); }
-  [[nodiscard]] Place place(uint32_t address) const {
+  [[nodiscard]] std::string function_name(uint32_t address) const {
     const FunctionSymbol* function = image_.function_around(address);
-    return {function == nullptr ? "no function" : function->name, address, lines_.at(address)};
+    return function == nullptr ? "no function" : function->name;
+  }
+  [[nodiscard]] Place place(uint32_t address) const {
+    return {function_name(address), address, lines_.at(address)};
   }
 
  private:

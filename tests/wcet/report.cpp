@@ -9,10 +9,31 @@ namespace palpate::wcet {
 namespace {
 
 constexpr size_t kHotBlocks = 12;
-constexpr size_t kNameWidth = 100;
 
+// Without its type, arguments and parameters: "palpate::Forces::evaluate".
 std::string shortened(const std::string& name) {
-  return name.size() <= kNameWidth ? name : name.substr(0, kNameWidth - 3) + "...";
+  if (name.find("operator") != std::string::npos) return name;
+  const size_t end = name.find_last_of(')');  // behind it there may be "const"
+  std::string kept;
+  int depth = 0;
+  for (const char c : name.substr(0, end)) {
+    if (c == '<' || c == '(') ++depth;
+    if (depth == 0 && c == ' ') kept.clear();
+    if (depth == 0 && c != ' ') kept += c;
+    if (c == '>' || c == ')') --depth;
+  }
+  return kept.empty() ? name : kept;
+}
+
+std::string assumptions(const CostModel& model) {
+  const char* predictor = model.predictor == Predictor::kStatic ? "backward branches are predicted as taken"
+                                                                : "every conditional branch is mispredicted";
+  std::string text = model.mispredicted == 0 ? "" : predictor;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (model.wait_states > 0) add(fmt::format("{} wait states", model.wait_states));
+  for (const DeviceRange& range : model.devices.ranges)
+    add(fmt::format("{}: {} more", range.name, range.cycles));
+  return text;
 }
 
 void print_row(const Findings& findings, const FunctionFigures& figures, const std::string& name) {
@@ -46,6 +67,11 @@ void print_functions(const Findings& findings, bool stages) {
   }
 }
 
+std::string place_text(Place place) {
+  place.function = shortened(place.function);
+  return to_string(place);
+}
+
 void print_hot_blocks(const Findings& findings) {
   fmt::print("\n{:>12} {:>7} {:>10} {:>8}  {}\n", "own", "share", "count", "each",
              "hottest blocks of the worst path");
@@ -54,7 +80,7 @@ void print_hot_blocks(const Findings& findings) {
     const uint32_t address = findings.calls.functions()[block.function].blocks[block.block].address();
     fmt::print("{:>12.0f} {:>6.1f}% {:>10.0f} {:>8.1f}  {}\n", block.own,
                100 * block.own / static_cast<double>(findings.total()), block.count, block.own / block.count,
-               shortened(to_string(findings.program.place(address))));
+               place_text(findings.program.place(address)));
   }
 }
 
@@ -109,8 +135,9 @@ void print(const Findings& findings) {
   const std::string& root = findings.calls.functions().back().name;
   fmt::print("{}: at most {} {}\n", root, findings.total(), findings.model.unit);
   fmt::print("model {}: {}\n", findings.model.name, findings.model.description);
+  if (const std::string text = assumptions(findings.model); !text.empty()) fmt::print("with: {}\n", text);
   for (const uint32_t end : findings.calls.path_ends()) {
-    fmt::print("a path that calls {} ends there\n", findings.program.place(end).function);
+    fmt::print("a path that calls {} ends there\n", findings.program.function_name(end));
   }
   print_functions(findings, true);
   print_functions(findings, false);

@@ -45,10 +45,12 @@ json to_json(const Findings& findings) {
     sections.push_back({{"name", use.name}, {"ram_bytes", use.ram}, {"flash_bytes", use.flash}});
   }
   json ends = json::array();
-  for (const uint32_t end : findings.calls.path_ends()) ends.push_back(findings.program.place(end).function);
+  for (const uint32_t end : findings.calls.path_ends()) ends.push_back(findings.program.function_name(end));
   json document{{"root", findings.calls.functions().back().name},
                 {"model", findings.model.name},
                 {"unit", findings.model.unit},
+                {"static_predictor", findings.model.predictor == Predictor::kStatic},
+                {"wait_states", findings.model.wait_states},
                 {"bound", findings.total()},
                 {"interrupt", findings.interrupt()},
                 {"functions", functions_of(findings)},
