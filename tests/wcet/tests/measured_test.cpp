@@ -1,6 +1,7 @@
 // No run takes more instructions than its bound: random programs, counted by QEMU.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <sstream>
 
 #include "../bound.hpp"
@@ -40,9 +41,17 @@ TEST_P(Measured, IsWithinTheBound) {
   }
 }
 
+std::string name_of(const testing::TestParamInfo<Measured::ParamType>& info) {
+  std::string name = std::get<0>(info.param) + std::to_string(std::get<1>(info.param));
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(Options, Measured,
-                         testing::Combine(testing::Values("-O1", "-O2", "-O3", "-Os", "-O3 -funroll-loops"),
-                                          testing::Range(1u, 4u)));
+                         testing::Combine(testing::Values("-O1 ", "-O2 ", "-O3 ", "-Os ",
+                                                          "-O3 -funroll-loops "),
+                                          testing::Range(1u, 4u)),
+                         name_of);
 
 // Without a branch there is one way only.
 TEST(Measured, BranchFreeCodeIsExact) {
