@@ -1,6 +1,6 @@
 #include "placement.hpp"
 
-#include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -37,11 +37,6 @@ const std::map<std::string, Layout>& layouts() {
   return all;
 }
 
-const Function* holder_of(const std::map<uint32_t, Function>& functions, uint32_t address) {
-  const auto after = functions.upper_bound(address);
-  return after == functions.begin() ? nullptr : &std::prev(after)->second;
-}
-
 }  // namespace
 
 Layout layout_of(const std::string& board) {
@@ -50,17 +45,21 @@ Layout layout_of(const std::string& board) {
   return found->second;
 }
 
-std::vector<const Function*> reached_from(const std::map<uint32_t, Function>& functions,
-                                          const std::string& root) {
-  const auto start = std::find_if(functions.begin(), functions.end(),
-                                  [&](const auto& entry) { return entry.second.name == root; });
-  if (start == functions.end()) return {};
-  std::vector<const Function*> reached{&start->second};
-  std::set<const Function*> seen{reached.front()};
+std::vector<const wcet::Instruction*> code_of(const wcet::Program& program,
+                                              const wcet::FunctionSymbol& function) {
+  std::vector<const wcet::Instruction*> code;
+  const auto end = program.code().lower_bound(function.end);
+  for (auto at = program.code().lower_bound(function.start); at != end; ++at) code.push_back(&at->second);
+  return code;
+}
+
+std::vector<const wcet::FunctionSymbol*> reached_from(const wcet::Program& program, const std::string& root) {
+  std::vector<const wcet::FunctionSymbol*> reached{&program.image().find_function(root)};
+  std::set<const wcet::FunctionSymbol*> seen{reached.front()};
   for (size_t next = 0; next < reached.size(); ++next) {
-    for (const Instruction& instruction : reached[next]->code) {
-      if (instruction.flow != Flow::kCall && instruction.flow != Flow::kJump) continue;
-      const Function* callee = holder_of(functions, instruction.target);
+    for (const wcet::Instruction* instruction : code_of(program, *reached[next])) {
+      if (instruction->flow != wcet::Flow::kCall && instruction->flow != wcet::Flow::kJump) continue;
+      const wcet::FunctionSymbol* callee = program.image().function_around(instruction->target);
       if (callee != nullptr && seen.insert(callee).second) reached.push_back(callee);
     }
   }

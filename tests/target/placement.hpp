@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "machine_code.hpp"
+#include "wcet/program.hpp"
 
 namespace palpate::target {
 
@@ -30,9 +29,11 @@ struct Layout {
 /// Throws std::runtime_error when the board is not known.
 Layout layout_of(const std::string& board);
 
-/// All functions that `root`, a demangled name, can reach by calls and jumps; empty when there is no such
-/// function. A jump through a register goes to no known place.
-std::vector<const Function*> reached_from(const std::map<uint32_t, Function>& functions,
-                                          const std::string& root);
+std::vector<const wcet::Instruction*> code_of(const wcet::Program& program,
+                                              const wcet::FunctionSymbol& function);
+
+/// All functions that `root`, a demangled name, can reach by calls and jumps. A jump through a register goes
+/// to no known place.
+std::vector<const wcet::FunctionSymbol*> reached_from(const wcet::Program& program, const std::string& root);
 
 }  // namespace palpate::target

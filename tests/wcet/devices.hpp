@@ -1,0 +1,36 @@
+// Accesses to device registers, which take longer than those to memory.
+//
+// Where a block shows the address of an access, that decides. The contract for the rest: only ports access
+// registers, and a port's function holds the address, or one near it, as a constant. Then every access of
+// that function whose address is not shown may be one. Stack and literals are none.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "control_flow.hpp"
+#include "flow_network.hpp"
+
+namespace palpate::wcet {
+
+struct DeviceRange {
+  std::string name;
+  uint32_t first = 0;
+  uint32_t last = 0;
+  Cycles cycles = 0;  // more, for each access
+
+  [[nodiscard]] bool holds(int64_t address) const { return first <= address && address <= last; }
+};
+
+struct Devices {
+  std::vector<DeviceRange> ranges;
+  std::vector<std::string> ports;  // parts of the names of functions
+};
+
+/// Throws BadInput.
+Devices read_devices(const std::string& path);
+
+/// By block.
+std::vector<Cycles> device_cycles(const Devices& devices, const FunctionGraph& graph);
+
+}  // namespace palpate::wcet

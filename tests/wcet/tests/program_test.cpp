@@ -1,0 +1,70 @@
+// The program as people call it: what it prints, and its exit codes.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cross_compiler.hpp"
+
+namespace palpate::wcet::test {
+namespace {
+
+constexpr const char* kSource =
+    "namespace tick_stages { __attribute__((noipa)) void forces() { asm volatile(\"nop\"); } }\n"
+    "extern \"C\" __attribute__((noipa)) void root() { tick_stages::forces(); tick_stages::forces(); asm "
+    "volatile(\"\"); }\n"
+    "extern \"C\" __attribute__((noipa)) void endless() { for (;;) asm volatile(\"\"); }\n";
+
+class CommandLine : public testing::Test {
+ protected:
+  int run(const std::string& arguments) {
+    const std::string output = folder_ / "output";
+    const int status = std::system((PALPATE_WCET_PROGRAM " " + arguments + " >" + output + " 2>&1").c_str());
+    std::ifstream file(output);
+    text_.assign(std::istreambuf_iterator<char>(file), {});
+    return WEXITSTATUS(status);
+  }
+
+  palpate::test::TemporaryFolder folder_;
+  TargetProgram target_{kSource};
+  std::string text_;
+};
+
+TEST_F(CommandLine, ReportsStagesBlocksAndStack) {
+  ASSERT_EQ(run(target_.path() + " --root root --model m4 --stack"), 0) << text_;
+  for (const char* part :
+       {"root: at most ", " cycles", "  forces\n", "program.cpp:", "stack: at most 8 bytes", ".text"}) {
+    EXPECT_NE(text_.find(part), std::string::npos) << part << " in\n" << text_;
+  }
+}
+
+TEST_F(CommandLine, WritesJson) {
+  const std::string path = folder_ / "figures.json";
+  ASSERT_EQ(run(target_.path() + " --root root --model m4 --interrupt --stack --json " + path), 0) << text_;
+  const nlohmann::json figures = nlohmann::json::parse(std::ifstream(path));
+  EXPECT_EQ(figures["interrupt"], 22);
+  double sum = figures["interrupt"];
+  for (const auto& function : figures["functions"]) sum += function["own"].get<double>();
+  EXPECT_EQ(sum, figures["bound"].get<double>());
+  EXPECT_EQ(figures["functions"][0]["stage"], "forces");
+  EXPECT_EQ(figures["functions"][0]["count"], 2);
+  EXPECT_EQ(figures["stack"]["bytes"], 8);
+}
+
+TEST_F(CommandLine, HasExitCodes) {
+  EXPECT_EQ(run(target_.path() + " --root endless --model m4"), 1);
+  EXPECT_NE(text_.find("palpate-wcet: endless at 0x"), std::string::npos) << text_;
+  EXPECT_EQ(run(target_.path() + " --root nobody --model m4"), 2);
+  EXPECT_EQ(run(target_.path() + " --root root --model m5"), 2);
+  EXPECT_EQ(run(target_.path() + " --root root"), 2);
+  EXPECT_EQ(run("nothing.elf --root root --model m4"), 2);
+  EXPECT_EQ(run("/bin/true --root root --model m4"), 2);
+  EXPECT_EQ(run(target_.path() + " --root root --model m4 --json /no/such/folder/figures.json"), 3);
+  EXPECT_EQ(run("--help"), 0);
+  EXPECT_NE(text_.find("GPL"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpate::wcet::test
