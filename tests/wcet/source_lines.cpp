@@ -90,7 +90,7 @@ SourceLines::SourceLines(const std::string& path) {
 std::string SourceLines::at(uint32_t address) const {
   const auto after = lines_.upper_bound(address);
   if (after == lines_.begin() || std::prev(after)->second.number == 0) return "";
-  const std::string line = std::prev(after)->second.text();
+  std::string line = std::prev(after)->second.text();
   const auto call = calls_.upper_bound(address);
   if (call == calls_.begin() || address >= std::prev(call)->second.end) return line;
   return line + " within " + std::prev(call)->second.line.text();

@@ -18,7 +18,7 @@ std::string text_of(const std::string& name) {
   return text.str();
 }
 
-std::string refusal_of(const std::string& text) {
+std::string refusal_of_model(const std::string& text) {
   const palpate::test::TemporaryFolder folder;
   const std::string path = folder / "model.toml";
   std::ofstream(path) << text;
@@ -42,18 +42,20 @@ TEST(CostModel, ReadsItsModels) {
 
 TEST(CostModel, SaysWhatIsWrong) {
   EXPECT_THROW(read_cost_model("m5"), BadInput);
-  EXPECT_NE(refusal_of("no model").find("is no cost model"), std::string::npos);
+  EXPECT_NE(refusal_of_model("no model").find("is no cost model"), std::string::npos);
   const std::string m4 = text_of("m4");
-  EXPECT_EQ(refusal_of(m4), "");
-  EXPECT_NE(refusal_of(replaced(m4, "of = \"alu\"", "of = \"glu\"")).find("unknown class 'glu'"),
+  EXPECT_EQ(refusal_of_model(m4), "");
+  EXPECT_NE(refusal_of_model(replaced(m4, "of = \"alu\"", "of = \"glu\"")).find("unknown class 'glu'"),
             std::string::npos);
-  EXPECT_NE(refusal_of(replaced(m4, "address = 1", "adress = 1")).find("unknown key adress"),
+  EXPECT_NE(refusal_of_model(replaced(m4, "address = 1", "adress = 1")).find("unknown key adress"),
             std::string::npos);
-  EXPECT_NE(refusal_of(replaced(m4, "cycles = 1", "cycles = -1")).find("no whole number"), std::string::npos);
-  EXPECT_NE(refusal_of(replaced(m4, "of = \"alu\"", "of = \"load\"")).find("two costs of load"),
+  EXPECT_NE(refusal_of_model(replaced(m4, "cycles = 1", "cycles = -1")).find("no whole number"),
             std::string::npos);
-  EXPECT_NE(refusal_of(replaced(m4, "source = ", "#")).find("does not say where"), std::string::npos);
-  EXPECT_NE(refusal_of(m4.substr(0, m4.rfind("[[cost]]"))).find("has no cost of system"), std::string::npos);
+  EXPECT_NE(refusal_of_model(replaced(m4, "of = \"alu\"", "of = \"load\"")).find("two costs of load"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_model(replaced(m4, "source = ", "#")).find("does not say where"), std::string::npos);
+  EXPECT_NE(refusal_of_model(m4.substr(0, m4.rfind("[[cost]]"))).find("has no cost of system"),
+            std::string::npos);
 }
 
 Instruction branch(uint32_t address, uint32_t target) {

@@ -74,14 +74,14 @@ class Generator {
   }
 
   void simple() {
-    static const std::vector<std::string> kStatements{
+    static const std::vector<std::string> texts{
         "table[x >> 28] += x;",
         "x = static_cast<uint32_t>((uint64_t{x} * 2654435761u) >> 32);",
         "if (x == 12345u) return x;",
         "x ^= table[(x >> 20) & 15];",
         "x = (x & 0x8000u) != 0 ? x + 7 : x ^ 99;",
         "x /= (x & 15) + 1;"};
-    line(kStatements[below(static_cast<uint32_t>(kStatements.size()))]);
+    line(texts[below(static_cast<uint32_t>(texts.size()))]);
   }
 
   void loop(uint64_t rounds) {

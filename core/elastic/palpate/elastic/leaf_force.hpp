@@ -24,6 +24,19 @@ PALPATE_ALWAYS_INLINE Fixed with_sign(int32_t mask, Fixed value) {
   return Fixed::from_raw((value.raw() ^ mask) - mask);
 }
 
+/// A from c, once in the code for leaves of all levels.
+PALPATE_NOINLINE inline Matrix3<Strain> gradient_of(const Position (&c)[3][3], const uint32_t (&axis)[3],
+                                                    const int32_t (&minus)[3], int size) {
+  Matrix3<Strain> a;
+  for (const uint32_t i : bounded<9>(9, [] {})) {
+    const uint32_t row = i / 3;
+    const uint32_t column = i % 3;
+    const auto scaled = Strain::from_raw(c[row][column].raw() * (1 << size));
+    a.data()[axis[row] + 3 * axis[column]] = with_sign(minus[column], scaled);
+  }
+  return a;
+}
+
 }  // namespace leaf_force_detail
 
 template <uint8_t Level>
@@ -43,16 +56,8 @@ class LeafForce {
   }
 
   /// A = S B S^T.
-  [[nodiscard]] PALPATE_ALWAYS_INLINE Matrix3<Strain> gradient() const {
-    Matrix3<Strain> a;
-    for (const uint32_t i : bounded<9>(9, [] {})) {
-      const uint32_t row = i / 3;
-      const uint32_t column = i % 3;
-      const int32_t scaled = c_[row][column].raw() * (1 << kSize);
-      a.data()[axis_[row] + 3 * axis_[column]] =
-          leaf_force_detail::with_sign(minus_[column], Strain::from_raw(scaled));
-    }
-    return a;
+  [[nodiscard]] Matrix3<Strain> gradient() const {
+    return leaf_force_detail::gradient_of(c_, axis_, minus_, kSize);
   }
 
   /// Adds the nodal forces. 7 multiplies.

@@ -74,7 +74,8 @@ constexpr BoundedRange<Max, Place> bounded(uint32_t count, Place) {
 
 /// What nested loops may do together: all loops over ranges taken from one BoundedTotal run at most Max times
 /// in all, as leaves of groups do whatever group they are in. Its flow fact is entered where the total is
-/// made.
+/// made. A function that makes a total takes from no other one of the same place: what it makes is all that
+/// its flow facts can tell.
 template <uint32_t Max, class Place>
 class BoundedTotal {
  public:
