@@ -51,8 +51,7 @@ ClosedLoop::ClosedLoop(plant::Plant& plant, Controller& controller, uint32_t ext
 void ClosedLoop::advance() {
   sensors_ = sensors_message(plant_.output());
   wish_ = {next_request(static_cast<safety::State>(answer_.safety_state), is_at_reset_pose(plant_)), {}};
-  ++ticks_;
-  if (!changes_.empty() && changes_.front().tick == ticks_) {
+  if (!changes_.empty() && changes_.front().tick == sensors_.tick + 1) {
     wish_.change = changes_.front().change;
     changes_.pop_front();
   }

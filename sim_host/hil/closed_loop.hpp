@@ -19,7 +19,7 @@ link::SensorsMessage sensors_message(const plant::PlantOutput& output);
 /// What a user at the device asks for next on the way to force. Only at the reset pose is a calibration done.
 safety::EventSet next_request(safety::State state, bool is_at_reset_pose);
 
-/// In which tick a setting is to change; the first is 1.
+/// In which tick of the plant a setting is to change; the first is 1.
 struct PlannedChange {
   uint32_t tick;
   firmware::SettingChange change;
@@ -47,7 +47,6 @@ class ClosedLoop {
   link::ActuatorsMessage answer_{};
   std::deque<plant::PlantInput> late_;  // answers on their way
   std::deque<PlannedChange> changes_;
-  uint32_t ticks_ = 0;
 };
 
 }  // namespace palpate::sim

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "recording/inspection.hpp"
-#include "recording/setting_value.hpp"
+#include "recording/setting_table.hpp"
 
 namespace palpate::recording {
 namespace {

@@ -101,12 +101,8 @@ TEST(SerialLine, IsRecordedFromAStartOfTheFirmwareOn) {
 
 TEST(SerialLine, CarriesTheLockstep) {
   const test::TemporaryFolder folder;
-  Scenario scenario = built_in_scenario("touch");
-  scenario.profile = "small";
-  scenario.model.level = 2;
+  Scenario scenario = small_touch();
   scenario.ticks = 300;
-  complete_scenario(scenario);
-  fit_to_profile(scenario);
   PseudoTerminal terminal;
   scenario.port = terminal.path();
   scenario.record = (folder / "recording").string();

@@ -8,26 +8,15 @@
 #include "recording/inspection.hpp"
 #include "recording/mapped_file.hpp"
 #include "scenario/errors.hpp"
-#include "simulation/capacity.hpp"
 #include "support/temporary_folder.hpp"
 #include "telling_board.hpp"
 
 namespace palpate::sim {
 namespace {
 
-Scenario scenario_with(const std::string& settings) {
-  Scenario scenario = built_in_scenario("touch");
-  scenario.profile = "small";
-  scenario.model.level = 2;
-  scenario.settings = settings;
-  complete_scenario(scenario);
-  fit_to_profile(scenario);
-  return scenario;
-}
-
 TEST(SettingPlan, HasTicksAndRawValues) {
-  const auto changes = planned_changes(
-      scenario_with("3: max force = 2.5;  40 :stuck ticks=7; 41: rotation split above = 4e9"));
+  const auto changes =
+      planned_changes(small_touch("3: max force = 2.5;  40 :stuck ticks=7; 41: rotation split above = 4e9"));
   ASSERT_EQ(changes.size(), 3u);
   EXPECT_EQ(changes[0].tick, 3u);
   EXPECT_STREQ(firmware::setting_name(changes[0].change.setting), "max force");
@@ -36,7 +25,7 @@ TEST(SettingPlan, HasTicksAndRawValues) {
   EXPECT_STREQ(firmware::setting_name(changes[1].change.setting), "stuck ticks");
   EXPECT_EQ(changes[1].change.value, 7);
   EXPECT_EQ(static_cast<uint32_t>(changes[2].change.value), 4000000000u);
-  EXPECT_TRUE(planned_changes(scenario_with("")).empty());
+  EXPECT_TRUE(planned_changes(small_touch("")).empty());
 }
 
 struct Refused {
@@ -62,7 +51,7 @@ TEST(SettingPlan, RefusesWhatTheFirmwareWould) {
   };
   for (const Refused& one : cases) {
     try {
-      (void)planned_changes(scenario_with(one.settings));
+      (void)planned_changes(small_touch(one.settings));
       ADD_FAILURE() << one.settings;
     } catch (const BadInput& refusal) {
       EXPECT_NE(std::string(refusal.what()).find(one.message), std::string::npos) << refusal.what();
@@ -73,21 +62,20 @@ TEST(SettingPlan, RefusesWhatTheFirmwareWould) {
 /// A lower limit that the hand's press passes drops the amplifiers; and the run is had again from its record.
 TEST(SettingPlan, ChangesTheRun) {
   const test::TemporaryFolder folder;
-  const auto states = [&folder](const std::string& settings) {
-    Scenario scenario = scenario_with(settings);
+  const auto driven_ticks = [&folder](const std::string& settings) {
+    Scenario scenario = small_touch(settings);
     scenario.ticks = 3400;
     scenario.record = (folder / "recording").string();
-    uint32_t ticks_with_torque = 0;
-    const auto simulation = make_plant_simulation(scenario, [&](const ClosedLoop& loop) {
-      ticks_with_torque += loop.answer().is_amplifier_enabled[0] ? 1u : 0u;
-    });
+    uint32_t ticks = 0;
+    const auto simulation = make_plant_simulation(
+        scenario, [&](const ClosedLoop& loop) { ticks += loop.answer().is_amplifier_enabled[0] ? 1u : 0u; });
     while (simulation->advance()) {
     }
     simulation->end();
-    return ticks_with_torque;
+    return ticks;
   };
-  const uint32_t usual = states("");
-  EXPECT_LT(states("2000: max force = 0.1"), usual);
+  const uint32_t usual = driven_ticks("");
+  EXPECT_LT(driven_ticks("2000: max force = 0.1"), usual);
   const recording::MappedFile file((folder / "recording").string());
   EXPECT_EQ(replayed_ticks(file.bytes()), 3400u);
   EXPECT_EQ(recording::inspect(file.bytes()).change_count, 1u);

@@ -18,16 +18,21 @@
 
 namespace palpate::sim {
 
+/// `touch` on a small and coarse body.
+inline Scenario small_touch(const std::string& settings = "") {
+  Scenario scenario = built_in_scenario("touch");
+  scenario.profile = "small";
+  scenario.model.level = 2;
+  scenario.settings = settings;
+  complete_scenario(scenario);
+  fit_to_profile(scenario);
+  return scenario;
+}
+
 /// The frames that the firmware of a board sends, tick by tick, while a hand uses its device.
 class TellingBoard {
  public:
-  TellingBoard() : scenario_(built_in_scenario("touch")), source_(telemetry::Tells::kDevice) {
-    scenario_.profile = "small";
-    scenario_.model.level = 2;
-    complete_scenario(scenario_);
-    fit_to_profile(scenario_);
-    restart();
-  }
+  TellingBoard() : scenario_(small_touch()), source_(telemetry::Tells::kDevice) { restart(); }
   [[nodiscard]] recording::Start start() const { return recording::start_of(*state_, "device", true); }
   void plan(const std::vector<PlannedChange>& changes) { loop_->plan(changes); }
   /// From power on.

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "palpate/firmware/cycle.hpp"
-#include "recording/setting_value.hpp"
+#include "recording/setting_table.hpp"
 #include "support/recordings.hpp"
 
 namespace palpate::test {
@@ -98,6 +98,12 @@ TEST(Settings, HaveValuesInTheirUnits) {
   EXPECT_EQ(recording::value_of({14, safety::Celsius::ratio(70, 1).raw()}), 70.0);
   EXPECT_EQ(recording::value_of({21, -1}), 4294967295.0);
   EXPECT_EQ(recording::value_of({kSettings + 1, 7}), 0.0);
+  for (uint16_t setting = 1; setting <= kSettings; ++setting) {
+    const firmware::SettingChange change{setting, 12345};
+    EXPECT_STREQ(recording::setting_table()[setting - 1u].name, firmware::setting_name(setting));
+    EXPECT_EQ(recording::change_to(setting, recording::value_of(change)).value, change.value);
+  }
+  EXPECT_EQ(recording::change_to(21, 4294967295.0).value, -1);
 }
 
 /// A change enters with the sensors, and holds from this tick on.

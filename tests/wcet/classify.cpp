@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string_view>
+
+#include "instruction_kind.hpp"
 
 namespace palpate::wcet {
 namespace {
@@ -15,99 +16,6 @@ uint8_t number_of(int reg) {
                               ARM_REG_R12, ARM_REG_SP, ARM_REG_LR, ARM_REG_PC};
   const auto* found = std::find(std::begin(kNumbers), std::end(kNumbers), reg);
   return static_cast<uint8_t>(found - std::begin(kNumbers));  // status registers: kNoRegister
-}
-
-struct Kind {
-  CostClass cost;
-  uint32_t bytes;  // of one register in memory; 0: no access
-  bool is_store;
-};
-
-Kind kind_of(unsigned id) {
-  switch (id) {
-    case ARM_INS_LDR:
-    case ARM_INS_LDREX:
-      return {CostClass::kLoad, 4, false};
-    case ARM_INS_LDRB:
-    case ARM_INS_LDRSB:
-    case ARM_INS_LDREXB:
-      return {CostClass::kLoadNarrow, 1, false};
-    case ARM_INS_LDRH:
-    case ARM_INS_LDRSH:
-    case ARM_INS_LDREXH:
-      return {CostClass::kLoadNarrow, 2, false};
-    case ARM_INS_LDRD:
-    case ARM_INS_LDM:
-    case ARM_INS_LDMDB:
-    case ARM_INS_POP:
-      return {CostClass::kLoadMultiple, 4, false};
-    case ARM_INS_STR:
-    case ARM_INS_STREX:
-      return {CostClass::kStore, 4, true};
-    case ARM_INS_STRB:
-    case ARM_INS_STREXB:
-      return {CostClass::kStoreNarrow, 1, true};
-    case ARM_INS_STRH:
-    case ARM_INS_STREXH:
-      return {CostClass::kStoreNarrow, 2, true};
-    case ARM_INS_STRD:
-    case ARM_INS_STM:
-    case ARM_INS_STMDB:
-    case ARM_INS_PUSH:
-      return {CostClass::kStoreMultiple, 4, true};
-    case ARM_INS_SDIV:
-    case ARM_INS_UDIV:
-      return {CostClass::kDivide, 0, false};
-    case ARM_INS_DMB:
-    case ARM_INS_DSB:
-    case ARM_INS_ISB:
-      return {CostClass::kBarrier, 0, false};
-    case ARM_INS_CPS:
-    case ARM_INS_MRS:
-    case ARM_INS_MSR:
-      return {CostClass::kSystem, 0, false};
-    default:
-      return {CostClass::kAlu, 0, false};
-  }
-}
-
-bool begins(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
-
-// mul, mla, mls, smull, smlal, smmul, smlad, usad8 and their kind.
-bool is_multiply(std::string_view name) {
-  for (const std::string_view start : {"mul", "mla", "mls", "smul", "umul", "smla", "umla", "umaal", "smls",
-                                       "smm", "smua", "smus", "usad"}) {
-    if (begins(name, start)) return true;
-  }
-  return false;
-}
-
-// Their first two operands are one sum that they add to; Capstone 4 says that they only write it.
-bool adds_to_pair(std::string_view name) {
-  return begins(name, "smlal") || begins(name, "umlal") || begins(name, "umaal") || begins(name, "smlsld");
-}
-
-// Shifts, bit fields, extensions and saturations go through the shifter.
-bool uses_shifter(unsigned id) {
-  switch (id) {
-    case ARM_INS_LSL:
-    case ARM_INS_LSR:
-    case ARM_INS_ASR:
-    case ARM_INS_ROR:
-    case ARM_INS_RRX:
-    case ARM_INS_UBFX:
-    case ARM_INS_SBFX:
-    case ARM_INS_BFI:
-    case ARM_INS_UXTB:
-    case ARM_INS_UXTH:
-    case ARM_INS_SXTB:
-    case ARM_INS_SXTH:
-    case ARM_INS_SSAT:
-    case ARM_INS_USAT:
-      return true;
-    default:
-      return false;
-  }
 }
 
 class Classifier {
@@ -279,7 +187,7 @@ class Classifier {
 
   const cs_insn& from_;
   const cs_arm& arm_;
-  Kind kind_;
+  InstructionKind kind_;
   Instruction out_;
 };
 

@@ -63,9 +63,10 @@ void add_jump(const Program& program, uint32_t entry, uint32_t target, Successor
   }
 }
 
-void refuse_unmarked(const Program& program, const Instruction& at, const std::vector<uint32_t>& marked) {
-  if (marked.empty())
-    throw Refusal(program.place(at.address), "an indirect call or jump without listed targets");
+const std::vector<uint32_t>& listed_targets(const Program& program, const Instruction& at,
+                                            const std::vector<uint32_t>& marked) {
+  if (!marked.empty()) return marked;
+  throw Refusal(program.place(at.address), "an indirect call or jump without listed targets");
 }
 
 void refuse_what_has_no_time(const Program& program, const Instruction& at) {
@@ -91,15 +92,13 @@ Successors successors_of(const Program& program, uint32_t entry, const Instructi
       next.goes_on = true;
       break;
     case Flow::kIndirectCall:
-      refuse_unmarked(program, at, marked);
-      next.callees = marked;
+      next.callees = listed_targets(program, at, marked);
       next.goes_on = true;
       break;
     case Flow::kIndirectJump:
       next.taken = word_table_targets(program, at);
       if (!next.taken.empty()) break;
-      refuse_unmarked(program, at, marked);
-      next.callees = marked;
+      next.callees = listed_targets(program, at, marked);
       next.returns = true;
       break;
     case Flow::kTable:
