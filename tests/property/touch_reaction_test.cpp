@@ -69,6 +69,51 @@ TEST(TouchReaction, CountsNoWorkWithoutATool) {
   EXPECT_NEAR(std::ldexp(static_cast<double>(reaction.passivity.energy.raw()), -40), 0.03, 1e-6);
 }
 
+/// A debt that the slew leaves is paid by a tool that moves on, and given up by one that is free for a
+/// second: from then on nothing brakes it.
+TEST(TouchReaction, AFreeToolIsNotBrakedForever) {
+  ContactRules rules = rules_with(0.5, 0.01);
+  rules.passivity.most_damping = Coupling::max();
+  const auto free_run = [&](int ticks_between_steps) {
+    Reaction reaction = Reaction::none();
+    double x = 0.0;
+    const auto tick = [&](double asked) {
+      return react(rules, fixed_vector<Force>(Vector3d(asked, 0.0, 0.0)),
+                   fixed_vector<Position>(Vector3d(x, 0.0, 0.0)), true, reaction);
+    };
+    for (int i = 0; i < 20; ++i) tick(0.5);
+    x += 0.1;  // with the force: the body gives what it never got
+    tick(0.5);
+    EXPECT_LT(reaction.passivity.energy.raw(), 0);
+    uint32_t braked = 0;
+    for (int i = 0; i < 3 * kFreeTicks; ++i) {
+      x += i % ticks_between_steps == 0 ? 0.0005 : 0.0;
+      tick(0.0);
+      braked += reaction.passivity.is_braking ? 1u : 0u;
+      if (i > kFreeTicks + 100) EXPECT_EQ(reaction.force, zero_vector<Force>()) << i;
+    }
+    EXPECT_GE(reaction.passivity.energy.raw(), 0);
+    return braked;
+  };
+  EXPECT_GT(free_run(1), 0u);
+  EXPECT_GT(free_run(8), 0u);
+}
+
+/// A contact that chatters goes on paying.
+TEST(TouchReaction, AShortWayWithoutATouchForgivesNothing) {
+  ContactRules rules = rules_with(0.5, 0.01);
+  Reaction reaction = Reaction::none();
+  reaction.passivity.energy = Energy::from_raw(-1000);
+  const auto ask = [&](double force) {
+    (void)react(rules, fixed_vector<Force>(Vector3d(force, 0.0, 0.0)), zero_vector<Position>(), true,
+                reaction);
+  };
+  for (int i = 0; i < 10 * kFreeTicks; ++i) ask(i % (kFreeTicks - 1) == 0 ? 0.01 : 0.0);
+  EXPECT_EQ(reaction.passivity.energy.raw(), -1000);
+  for (int i = 0; i < kFreeTicks; ++i) ask(0.0);
+  EXPECT_EQ(reaction.passivity.energy.raw(), 0);
+}
+
 /// An eighth of the way in each tick, and all of it in the end.
 TEST(TouchGrasp, EasesTheNodeTowardsTheTool) {
   const auto target = fixed_vector<Position>(Vector3d(0.25, -0.5, 0.125));

@@ -135,6 +135,7 @@ void add_stage(const State<Profile>& state, const TickOutput& output, CoreStage 
       if (state.model.contact.is_on()) {
         hash.add(state.reaction.force);
         hash.add(static_cast<uint64_t>(state.reaction.passivity.energy.raw()));
+        hash.add(uint64_t{state.reaction.free_ticks});
       }
       break;
   }

@@ -37,6 +37,10 @@ struct Passivity {
   bool is_braking;  // in the last tick
 
   static Passivity at_rest() { return Passivity{Energy::from_raw(0), false}; }
+  /// What is missing is given up.
+  void forgive() {
+    if (energy.raw() < 0) energy = Energy::from_raw(0);
+  }
 };
 
 namespace passivity_detail {
