@@ -99,6 +99,12 @@ TEST(FaultInjection, OfABrokenLinkIsFoundThoughItsLeafMoves) {
   if (can_be_tried(EventKind::kMeshLink)) expect_safe(pair, run_trial(store(), pair));
 }
 
+/// Back at home, the body swings over the tool before it can touch.
+TEST(FaultInjection, OfABodyThatSwingsOverTheToolLetsItTouchAgain) {
+  const Event event{EventKind::kBodyMoved, 611, 150, 672727};
+  expect_safe({event}, run_trial(store(), {event}));
+}
+
 /// In parts that can run side by side.
 class FaultInjectionPart : public testing::TestWithParam<uint32_t> {};
 constexpr uint32_t kParts = 4;

@@ -39,8 +39,16 @@ std::string Recovery::reach_active() {
   return {};
 }
 
+/// The hand presses every half second. A body that swings over a tool before that touches lets it feel
+/// nothing until it has been outside.
 std::string Recovery::feel_force() {
-  loop_.lead_hand({{0.15, point_at_surface(-0.003)}, {0.3, point_at_surface(0.008)}});
+  std::vector<plant::Knot> way;
+  for (double start = 0.0; start < kMostTicksToForce * plant::kTickSeconds; start += 0.5) {
+    way.push_back({start + 0.15, point_at_surface(-0.02)});
+    way.push_back({start + 0.3, point_at_surface(0.008)});
+    way.push_back({start + 0.4, point_at_surface(0.008)});
+  }
+  loop_.lead_hand(way);
   for (uint32_t i = 0; i < kMostTicksToForce; ++i) {
     if (std::string failure = advance(); !failure.empty()) return failure;
     if (loop_.given.motor_codes != firmware::at_rest().motor_codes && i > 150) return {};
