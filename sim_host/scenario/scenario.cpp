@@ -87,6 +87,7 @@ Scenario built_in_scenario(const std::string& name) {
   Scenario scenario;
   scenario.name = name;
   scenario.model.level = Scenario::kAutomaticLevel;
+  scenario.model.substeps = Scenario::kAutomaticSubsteps;
   for (const ScenarioKind kind :
        {ScenarioKind::kSine, ScenarioKind::kBend, ScenarioKind::kGrasp, ScenarioKind::kTouch}) {
     if (name != kind_name(kind)) continue;

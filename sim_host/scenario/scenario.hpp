@@ -41,6 +41,7 @@ struct TouchParameters {
 
 struct Scenario {
   static constexpr int kAutomaticLevel = -1;
+  static constexpr int kAutomaticSubsteps = 0;
   static constexpr int kAllTicks = 0;
 
   std::string name;

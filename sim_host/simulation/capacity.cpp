@@ -12,6 +12,7 @@ namespace palpate::sim {
 namespace {
 
 constexpr int kDeepestAutomaticLevel = 6;
+constexpr int kMostAutomaticSubsteps = 4;
 
 int64_t tets_at(const ModelParameters& model, int level) {
   int64_t cubes = int64_t{model.cubes[0]} * model.cubes[1] * model.cubes[2];
@@ -77,6 +78,24 @@ void require_levels_of_profile(const ModelParameters& model) {
   }
 }
 
+template <class Profile>
+void require_substeps_of_profile(const ModelParameters& model) {
+  const auto most = static_cast<int>(Profile::kSubsteps);
+  if (model.substeps <= most) return;
+  throw BadInput(fmt::format(
+      "substeps is {}, but profile {} computes at most {} a tick: take substeps {}{}, or a larger profile",
+      model.substeps, Profile::kName, most, most, most > 1 ? " or less" : ""));
+}
+
+template <class Profile>
+void require_front_of_profile(const ModelParameters& model) {
+  if (Profile::kConformingFront || !has_conforming_front(model.remesh.rotation)) return;
+  throw BadInput(fmt::format(
+      "rotations siblings and full need a conforming front, which profile {} has no code for: take rotations "
+      "misfit, or profile {}",
+      Profile::kName, Workstation::kName));
+}
+
 /// Levels that follow from the level at start get their values, so that a summary names them, as it does
 /// those of a contact.
 void complete_levels(ModelParameters& model) {
@@ -90,6 +109,11 @@ template <class Profile>
 Fit fit(Scenario& scenario) {
   const auto state = std::make_unique<State<Profile>>();
   require_levels_of_profile<Profile>(scenario.model);
+  require_front_of_profile<Profile>(scenario.model);
+  require_substeps_of_profile<Profile>(scenario.model);
+  if (scenario.model.substeps == Scenario::kAutomaticSubsteps) {
+    scenario.model.substeps = std::min<int>(kMostAutomaticSubsteps, Profile::kSubsteps);
+  }
   int& level = scenario.model.level;
   if (level == Scenario::kAutomaticLevel) level = deepest_level(scenario, *state);
   const bool may_fit =

@@ -35,7 +35,7 @@ void whole_cycle(benchmark::State& benchmark_state) {
   if (!actuators.amplifiers_enabled || !state->core.grasp.holds())
     benchmark_state.SkipWithError("nothing is grasped");
 }
-BENCHMARK(whole_cycle)->ArgName("substeps")->Arg(1)->Arg(4)->Unit(benchmark::kMicrosecond);
+BENCHMARK(whole_cycle)->ArgName("substeps")->Arg(1)->Arg(3)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace palpate::bench

@@ -91,7 +91,7 @@ void try_input(uint8_t use, const uint8_t* data, std::size_t size) {
   }
   if (use % 4 < 3) repair(file);
   if (use % 8 >= 6) file.resize(file.size() * use / 256);
-  examine(file, use % 32 == 1);
+  examine(file, use == 1);
 }
 
 }  // namespace

@@ -138,8 +138,8 @@ TEST(Misfit, OfAPureStretchIsZero) {
 }
 
 TEST(Misfit, SaturatesBeyondOneHalf) {
-  const Matrix3<Strain> turned = fixed_matrix<Strain>((Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished());
-  const Matrix3<Strain> back = turned.transpose();
+  const auto turned = fixed_vector<Strain>(Vector3d(0, 0, 2));  // by a right angle
+  const Vector3<Strain> back = -turned;
   MisfitSums sums;
   sums.add(turned, 0, 1);
   sums.add(back, 1, 1);

@@ -26,13 +26,17 @@ struct TestProfile {
   static constexpr uint32_t kTetsMerged = 32;
   static constexpr uint32_t kRotationChanges = 64;
   static constexpr uint16_t kTethers = 64;
+  static constexpr uint32_t kSubsteps = 8;
   static constexpr uint32_t kContactCandidates = 64;
+  static constexpr bool kConformingFront = true;
 };
 
-/// A profile with a group for every leaf, as full corotation needs.
+/// A profile with a group for every leaf, as full corotation needs, and any number of substeps.
 template <class Profile>
 struct WithFullCorotation : Profile {
   static constexpr uint16_t kGroups = Profile::kLeaves;
+  static constexpr uint32_t kSubsteps = 8;
+  static constexpr bool kConformingFront = true;
 };
 
 using Bar = TestProfile<1152, 512, 9>;

@@ -103,6 +103,24 @@ TEST(TickBody, StartRefusesWhatDoesNotFit) {
   EXPECT_EQ(start(*level, compile_model(coarse_bar(1000.0, 1))), Status::kLevelTooDeep);
 }
 
+/// Where the profile has code for the misfit alone.
+TEST(TickBody, StartRefusesACriterionThatIsNotBuilt) {
+  auto state = std::make_unique<State<CuboidDense>>();
+  Model model = compile_model(coarse_bar(1000.0, 1));
+  for (const RotationCriterion criterion : {RotationCriterion::kSiblings, RotationCriterion::kFull}) {
+    model.remesh.rotation.criterion = criterion;
+    EXPECT_EQ(start(*state, model), Status::kNoConformingFront);
+  }
+  model.remesh.rotation.criterion = RotationCriterion::kMisfit;
+  EXPECT_EQ(start(*state, model), Status::kDone);
+}
+
+TEST(TickBody, StartRefusesMoreSubstepsThanTheProfileHas) {
+  auto state = std::make_unique<State<CuboidDense>>();
+  EXPECT_EQ(start(*state, compile_model(coarse_bar(1000.0, 2))), Status::kTooManySubsteps);
+  EXPECT_EQ(start(*state, compile_model(coarse_bar(1000.0, 1))), Status::kDone);
+}
+
 /// Levels that a mesh would change to are the profile's, and the start's is among them.
 TEST(TickBody, StartRefusesLevelsThatCannotBe) {
   using Deep = TestProfile<300, 300, 5>;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "palpate/elastic/leaf_force.hpp"
-#include "palpate/elastic/misfit.hpp"
 
 namespace palpate {
 
@@ -26,10 +25,12 @@ namespace group_forces_detail {
 /// Of a coordinate in the group's frame: +-4 edges.
 inline constexpr int kPositionBits = 30;
 
-inline Matrix3<FrameEntry> frame_of(const Quaternion& q) {
-  return Matrix3<FrameEntry>(rotation_matrix(q).unaryExpr([](RotationEntry entry) {
-    return narrow_saturated<FrameEntry>(widen<FrameEntry::kFractionBits>(entry));
-  }));
+/// An entry of 1 becomes the largest one below it; what `clamped` knew is forgotten.
+inline Matrix3<FrameEntry> frame_of(const Quaternion& q, ClampFlag& clamped) {
+  const Matrix3<FrameEntry> frame(rotation_matrix(q).unaryExpr(
+      [&clamped](RotationEntry entry) { return FrameEntry::from_raw(2 * clamped.clamp<31>(entry).raw()); }));
+  (void)clamped.take();
+  return frame;
 }
 
 /// R^T (x - origin), within +-4 edges so that no edge vector overflows.
@@ -43,24 +44,6 @@ inline Vector3<Position> into_frame(const Matrix3<FrameEntry>& frame, const Vect
   return Vector3<Position>(clamped.clamp<kPositionBits>(turned[0]), clamped.clamp<kPositionBits>(turned[1]),
                            clamped.clamp<kPositionBits>(turned[2]));
 }
-
-/// What an observing evaluation gathers over the leaves of a group.
-struct Observation {
-  Matrix3<Strain> mean;
-  MisfitSums misfit;
-
-  Observation() {
-    for (const uint32_t i : bounded<9>(9, [] {})) mean.data()[i] = Strain::from_raw(0);
-  }
-  /// A leaf `depth` levels below the group's tet.
-  void add(const Matrix3<Strain>& a, uint32_t path, uint32_t depth) {
-    const int32_t half = static_cast<int32_t>((uint32_t{1} << depth) >> 1);
-    for (const uint32_t i : bounded<9>(9, [] {})) {
-      mean.data()[i] += Strain::from_raw((a.data()[i].raw() + half) >> depth);
-    }
-    misfit.add(a, path, depth);
-  }
-};
 
 }  // namespace group_forces_detail
 
@@ -87,7 +70,7 @@ class GroupForces {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
       const Span span = front_.nodes[group];
-      const Matrix3<FrameEntry> r = group_forces_detail::frame_of(groups_.used[group]);
+      const Matrix3<FrameEntry> r = group_forces_detail::frame_of(groups_.used[group], clamped);
       const Vector3<Position>& origin = at[front_.node_order[span.begin]];
       for (const uint32_t k : nodes.take(span.begin, span.count)) {
         const uint16_t node = front_.node_order[k];
@@ -113,19 +96,19 @@ class GroupForces {
   void add_leaves(uint16_t group, Total& leaves, ClampFlag& clamped) {
     const Span span = front_.leaves[group];
     const uint8_t group_level = forest_.tet[front_.tet[group]].level;
-    group_forces_detail::Observation seen;
+    Observation seen;
     for (const uint32_t k : leaves.take(span.begin, span.count)) {
       add_leaf<Mode>(forest_.leaf[front_.leaf_order[k]], group_level, seen, clamped);
     }
     if constexpr (Mode == Observe::kYes) {
-      groups_.gradient[group] = narrow<Stretch>(rotation_matrix(groups_.used[group]) * seen.mean);
-      seen.misfit.finish(group_level, groups_.misfit[group], groups_.misfit_left[group]);
+      groups_.gradient[group] = narrow<Stretch>(rotation_matrix(groups_.used[group]) * seen.mean());
+      seen.misfit().finish(group_level, groups_.misfit[group], groups_.misfit_left[group]);
     }
   }
 
   template <Observe Mode>
-  PALPATE_ALWAYS_INLINE void add_leaf(const Leaf& leaf, uint8_t group_level,
-                                      group_forces_detail::Observation& seen, ClampFlag& clamped) {
+  PALPATE_ALWAYS_INLINE void add_leaf(const Leaf& leaf, uint8_t group_level, Observation& seen,
+                                      ClampFlag& clamped) {
     switch (leaf.level) {
       case 0:
         return add_leaf_of<0, Mode>(leaf, group_level, seen, clamped);
@@ -164,7 +147,7 @@ class GroupForces {
   template <uint8_t Level, Observe Mode>
   PALPATE_ALWAYS_INLINE void add_leaf_of([[maybe_unused]] const Leaf& leaf,
                                          [[maybe_unused]] uint8_t group_level,
-                                         [[maybe_unused]] group_forces_detail::Observation& seen,
+                                         [[maybe_unused]] Observation& seen,
                                          [[maybe_unused]] ClampFlag& clamped) {
     static_assert(Level <= kDeepestLevel);
     if constexpr (Level <= Profile::kMaxLevel) {
@@ -175,7 +158,7 @@ class GroupForces {
       LeafForce<Level> force(leaf.axes);
       force.gather(n0.position, n1.position, n2.position, n3.position, clamped);
       if constexpr (Mode == Observe::kYes) {
-        seen.add(force.gradient(), leaf.path, static_cast<uint32_t>(Level - group_level));
+        force.observe(leaf, group_level, seen);
       }
       force.scatter(materials_[leaf.region], n0.force, n1.force, n2.force, n3.force, clamped);
     }

@@ -10,41 +10,18 @@
 // and the coefficients carry the powers of two. Code of its own for each level has them as constants.
 #pragma once
 
-#include "palpate/elastic/element_force.hpp"
+#include "palpate/elastic/observation.hpp"
 #include "palpate/numeric/clamp_flag.hpp"
-#include "palpate/numeric/high_word.hpp"
 
 namespace palpate {
-
-namespace leaf_force_detail {
-
-/// `mask` is 0, or -1 for minus.
-template <class Fixed>
-PALPATE_ALWAYS_INLINE Fixed with_sign(int32_t mask, Fixed value) {
-  return Fixed::from_raw((value.raw() ^ mask) - mask);
-}
-
-/// A from c, once in the code for leaves of all levels.
-PALPATE_NOINLINE inline Matrix3<Strain> gradient_of(const Position (&c)[3][3], const uint32_t (&axis)[3],
-                                                    const int32_t (&minus)[3], int size) {
-  Matrix3<Strain> a;
-  for (const uint32_t i : bounded<9>(9, [] {})) {
-    const uint32_t row = i / 3;
-    const uint32_t column = i % 3;
-    const auto scaled = Strain::from_raw(c[row][column].raw() * (1 << size));
-    a.data()[axis[row] + 3 * axis[column]] = with_sign(minus[column], scaled);
-  }
-  return a;
-}
-
-}  // namespace leaf_force_detail
 
 template <uint8_t Level>
 class LeafForce {
  public:
   PALPATE_ALWAYS_INLINE explicit LeafForce(Axes axes)
-      : axis_{axes.axis(0), axes.axis(1), axes.axis(2)},
-        minus_{axes.is_negative(0) ? -1 : 0, axes.is_negative(1) ? -1 : 0, axes.is_negative(2) ? -1 : 0} {}
+      : rows_{{},
+              {axes.axis(0), axes.axis(1), axes.axis(2)},
+              {axes.is_negative(0) ? -1 : 0, axes.is_negative(1) ? -1 : 0, axes.is_negative(2) ? -1 : 0}} {}
 
   /// The edge vectors, from the positions of the four nodes in the group's frame: within +-4 edges.
   PALPATE_ALWAYS_INLINE void gather(const Vector3<Position>& w0, const Vector3<Position>& w1,
@@ -55,9 +32,8 @@ class LeafForce {
     gather_row<2>(w0, w1, w2, w3, clamped);
   }
 
-  /// A = S B S^T.
-  [[nodiscard]] Matrix3<Strain> gradient() const {
-    return leaf_force_detail::gradient_of(c_, axis_, minus_, kSize);
+  void observe(const Leaf& leaf, uint8_t group_level, Observation& seen) const {
+    seen.add(rows_, kSize, leaf.path, static_cast<uint32_t>(Level - group_level));
   }
 
   /// Adds the nodal forces. 7 multiplies.
@@ -88,17 +64,17 @@ class LeafForce {
   PALPATE_ALWAYS_INLINE void gather_row(const Vector3<Position>& w0, const Vector3<Position>& w1,
                                         const Vector3<Position>& w2, const Vector3<Position>& w3,
                                         ClampFlag& clamped) {
-    const Position x0 = w0.data()[axis_[Row]];
-    const Position x1 = w1.data()[axis_[Row]];
-    const Position x2 = w2.data()[axis_[Row]];
-    const Position x3 = w3.data()[axis_[Row]];
+    const Position x0 = w0.data()[rows_.axis[Row]];
+    const Position x1 = w1.data()[rows_.axis[Row]];
+    const Position x2 = w2.data()[rows_.axis[Row]];
+    const Position x3 = w3.data()[rows_.axis[Row]];
     const Position g2 = kType == TetType::kType2 ? (x2 - x0) + (x2 - x1) : x2 - x1;
     const Position g3 = kType == TetType::kType0   ? x3 - x2
                         : kType == TetType::kType1 ? (x3 - x0) + (x3 - x2)
                                                    : (x3 - x2) + (x3 - x2);
-    c_[Row][0] = clamped.clamp<kStretchBits>(x1 - x0);
-    c_[Row][1] = clamped.clamp<kStretchBits>(g2);
-    c_[Row][2] = clamped.clamp<kStretchBits>(g3);
+    rows_.c[Row][0] = clamped.clamp<kStretchBits>(x1 - x0);
+    rows_.c[Row][1] = clamped.clamp<kStretchBits>(g2);
+    rows_.c[Row][2] = clamped.clamp<kStretchBits>(g3);
   }
 
   /// mu h / 2^t, at most 1/12.
@@ -115,22 +91,22 @@ class LeafForce {
   PALPATE_ALWAYS_INLINE void edge_forces(const Material& material, Force (&t)[3][3],
                                          ClampFlag& clamped) const {
     const Q<1, 30> mu = shear(material);
-    const Position stretch[3] = {leaf_force_detail::with_sign(minus_[0], c_[0][0]),
-                                 leaf_force_detail::with_sign(minus_[1], c_[1][1]),
-                                 leaf_force_detail::with_sign(minus_[2], c_[2][2])};
+    const Position stretch[3] = {with_sign(rows_.minus[0], rows_.c[0][0]),
+                                 with_sign(rows_.minus[1], rows_.c[1][1]),
+                                 with_sign(rows_.minus[2], rows_.c[2][2])};
     const Position trace =
         clamped.clamp<kTraceBits>(stretch[0] + stretch[1] + stretch[2] - (kEdge + kEdge + kEdge));
     const Force pressure = multiply_high<Force>(bulk(material), Q<2, 29>::from_raw(trace.raw() * 4));
     const auto normal = [&](int j) {
       const Position twice_strain = stretch[j] + stretch[j] - (kEdge + kEdge);
-      t[j][j] = leaf_force_detail::with_sign(
-          minus_[j], clamped.clamp<kForceBits>(multiply_add_high(mu, twice_strain, pressure)));
+      t[j][j] =
+          with_sign(rows_.minus[j], clamped.clamp<kForceBits>(multiply_add_high(mu, twice_strain, pressure)));
     };
     const auto tangential = [&](int j, int k) {
-      const int32_t minus = minus_[j] ^ minus_[k];
-      const Position twice_strain = c_[j][k] + leaf_force_detail::with_sign(minus, c_[k][j]);
+      const int32_t minus = rows_.minus[j] ^ rows_.minus[k];
+      const Position twice_strain = rows_.c[j][k] + with_sign(minus, rows_.c[k][j]);
       t[j][k] = clamped.clamp<kForceBits>(multiply_high<Force>(mu, twice_strain));
-      t[k][j] = leaf_force_detail::with_sign(minus, t[j][k]);
+      t[k][j] = with_sign(minus, t[j][k]);
     };
     normal(0);
     normal(1);
@@ -144,15 +120,15 @@ class LeafForce {
   PALPATE_ALWAYS_INLINE void scatter_row(const Force (&t)[3], Vector3<Force>& f0, Vector3<Force>& f1,
                                          Vector3<Force>& f2, Vector3<Force>& f3) const {
     const auto& [t1, t2, t3] = t;
-    f0.data()[axis_[Row]] += kType == TetType::kType0 ? t1 : kType == TetType::kType1 ? t1 + t3 : t1 + t2;
-    f1.data()[axis_[Row]] += t2 - t1;
-    f2.data()[axis_[Row]] += kType == TetType::kType2 ? (t3 - t2) + (t3 - t2) : t3 - t2;
-    f3.data()[axis_[Row]] -= kType == TetType::kType0 ? t3 : t3 + t3;
+    f0.data()[rows_.axis[Row]] += kType == TetType::kType0   ? t1
+                                  : kType == TetType::kType1 ? t1 + t3
+                                                             : t1 + t2;
+    f1.data()[rows_.axis[Row]] += t2 - t1;
+    f2.data()[rows_.axis[Row]] += kType == TetType::kType2 ? (t3 - t2) + (t3 - t2) : t3 - t2;
+    f3.data()[rows_.axis[Row]] -= kType == TetType::kType0 ? t3 : t3 + t3;
   }
 
-  uint32_t axis_[3];
-  int32_t minus_[3];
-  Position c_[3][3];
+  LeafRows rows_;
 };
 
 }  // namespace palpate

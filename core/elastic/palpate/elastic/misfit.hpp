@@ -17,6 +17,7 @@
 
 #include "palpate/elastic/element_force.hpp"
 #include "palpate/elastic/groups.hpp"
+#include "palpate/numeric/high_word.hpp"
 
 namespace palpate {
 
@@ -24,22 +25,16 @@ namespace palpate {
 class MisfitSums {
  public:
   MisfitSums() : squares_(0) {
-    for (const uint32_t j : bounded<4>(4, [] {})) turn_[j] = zero_vector<Strain>();
+    for (const uint32_t j : bounded<4>(4, [] {})) turn_[j] = zero_vector<Turn>();
   }
 
-  /// A leaf `depth` levels below the group's tet; `path` as in Leaf.
-  void add(const Matrix3<Strain>& a, uint32_t path, uint32_t depth) {
-    if (depth == 0) return;
-    const Strain x = a(2, 1) - a(1, 2);
-    const Strain y = a(0, 2) - a(2, 0);
-    const Strain z = a(1, 0) - a(0, 1);
-    squares_ += (x * x + y * y + z * z).raw() >> depth;
+  /// A leaf `depth` levels, at least 1, below the group's tet; `turn` is its 2 w, `path` as in Leaf.
+  void add(const Vector3<Strain>& turn, uint32_t path, uint32_t depth) {
+    squares_ += dot(turn, turn).raw() >> depth;
     // A child that is a leaf counts for both of the children that it does not have.
     const uint32_t j = depth == 1 ? 2u * (path & 1u) : (path >> (depth - 2u)) & 3u;
-    const uint32_t shift = depth == 1 ? 2u : depth;
-    const Vector3<Strain> part(part_of(x, shift), part_of(y, shift), part_of(z, shift));
-    turn_[j] += part;
-    if (depth == 1) turn_[j + 1] += part;
+    add_turn(turn, depth == 1 ? 2u : depth, turn_[j]);
+    if (depth == 1) add_turn(turn, 2u, turn_[j + 1]);
   }
 
   /// M and, of it, what the group leaves in its parent: 4 (D0 / 4 + S / 32). `level` is the group's tet's.
@@ -52,21 +47,25 @@ class MisfitSums {
   }
 
  private:
+  using Turn = Q<5, 26>;
   static constexpr int kSquareBits = 2 * Strain::kFractionBits;
 
-  static Strain part_of(Strain turn, uint32_t shift) {
-    return Strain::from_raw((turn.raw() + static_cast<int32_t>((uint32_t{1} << shift) / 2)) >> shift);
+  static void add_turn(const Vector3<Strain>& turn, uint32_t depth, Vector3<Turn>& sum) {
+    const auto weight = Q<0, 31>::from_raw(int32_t{1} << (31 - depth));
+    sum =
+        Vector3<Turn>(multiply_add_high(turn[0], weight, sum[0]), multiply_add_high(turn[1], weight, sum[1]),
+                      multiply_add_high(turn[2], weight, sum[2]));
   }
-  static uint64_t square(const Vector3<Strain>& v) {
-    return static_cast<uint64_t>((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).raw());
+  static uint64_t square(const Vector3<Turn>& v) {
+    return static_cast<uint64_t>(dot(v, v).raw()) << (kSquareBits - 2 * Turn::kFractionBits);
   }
   static Misfit to_misfit(uint64_t sum, uint32_t level) {
     const uint64_t raw = sum >> (static_cast<uint32_t>(kSquareBits - Misfit::kFractionBits) + level);
     return raw > 0x7fffffffu ? Misfit::max() : Misfit::from_raw(static_cast<int32_t>(raw));
   }
 
-  std::array<Vector3<Strain>, 4> turn_;  // 2 W_j / V
-  int64_t squares_;                      // 4 S / V
+  std::array<Vector3<Turn>, 4> turn_;  // 2 W_j / V
+  int64_t squares_;                    // 4 S / V
 };
 
 /// What a pair of groups would have as one, on their parent at `level`.

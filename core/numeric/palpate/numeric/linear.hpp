@@ -81,4 +81,16 @@ constexpr Vector3<Scalar> zero_vector() {
   return Vector3<Scalar>(zero, zero, zero);
 }
 
+/// v . v; the caller knows that the sum fits 64 bits.
+template <class Scalar>
+constexpr Acc<2 * Scalar::kFractionBits> square_of(const Vector3<Scalar>& v) {
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
+/// a . b, as above.
+template <class A, class B>
+constexpr Acc<A::kFractionBits + B::kFractionBits> dot(const Vector3<A>& a, const Vector3<B>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 }  // namespace palpate

@@ -49,6 +49,14 @@ class MeshChanges {
   struct Budget {
     uint32_t patches, tets;
   };
+  struct LooksTotal {};
+  struct MergesTotal {};
+  /// What ends in a tick: tethers whose patch is looked at, and patches that are merged.
+  struct MergeBudget {
+    decltype(bounded_total<2 * Profile::kPatches>(LooksTotal{})) looks;
+    decltype(bounded_total<Profile::kPatches>(MergesTotal{})) patches;
+    uint32_t tets;
+  };
 
   void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }
 
@@ -140,7 +148,8 @@ class MeshChanges {
   }
 
   void advance_tethers() {
-    Budget left{Profile::kPatches, Profile::kTetsMerged};
+    MergeBudget left{bounded_total<2 * Profile::kPatches>(LooksTotal{}),
+                     bounded_total<Profile::kPatches>(MergesTotal{}), Profile::kTetsMerged};
     uint32_t at = 0;
     for ([[maybe_unused]] const uint32_t i : bounded<Profile::kTethers>(tethers_.count, [] {})) {
       Tether& tether = tethers_.tether[at];
@@ -158,18 +167,26 @@ class MeshChanges {
 
   /// Merges around a node that has been drawn. False, with the tether turned into a release, when the patch
   /// is no longer calm; false and as it was when the budget is used up.
-  bool merge_at(Tether& tether, Budget& left) {
-    if (left.patches == 0) return refuse(RemeshFlag::kPatchBudget);
+  bool merge_at(Tether& tether, MergeBudget& left) {
+    if (left.patches.left() == 0 || left.looks.left() == 0) return refuse(RemeshFlag::kPatchBudget);
     Patch patch{};
-    if (!find_patch_around(tether, patch) || !may_merge(patch, Urgency::kNeutral) ||
-        restores_above(rules_.split_above, patch, tether.end)) {
+    bool is_calm = false;
+    for ([[maybe_unused]] const uint32_t look : left.looks.take(0, 1)) {
+      is_calm = find_patch_around(tether, patch) && may_merge(patch, Urgency::kNeutral) &&
+                !restores_above(rules_.split_above, patch, tether.end);
+    }
+    if (!is_calm) {
       tether.kind = TetherKind::kRelease;
       tether.ticks_left = kTetherTicks;
       return false;
     }
     if (patch.count > left.tets) return refuse(RemeshFlag::kPatchBudget);
-    --left.patches;
     left.tets -= patch.count;
+    for ([[maybe_unused]] const uint32_t once : left.patches.take(0, 1)) merge_patch(patch, tether);
+    return true;
+  }
+
+  void merge_patch(const Patch& patch, const Tether& tether) {
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       urgencies_.of[patch.tet[i]] = Urgency::kNeutral;
     }
@@ -178,7 +195,6 @@ class MeshChanges {
     body_.removed(tether.end);
     counters_.merged += patch.count;
     changed_ = true;
-    return true;
   }
 
   /// The parents around a tethered node; false when one of their children was split.
@@ -219,15 +235,14 @@ class MeshChanges {
   void draw_calm() {
     constexpr uint32_t kSlice = Urgencies<Profile>::kSlice;
     const uint32_t count = kSlice < forest_.leaf_count ? kSlice : forest_.leaf_count;
-    uint32_t looks_left = 2 * Profile::kPatches;
+    auto looks = bounded_total<2 * Profile::kPatches>([] {});
     for ([[maybe_unused]] const uint32_t i : bounded<kSlice>(count, [] {})) {
       if (urgencies_.merge_at >= forest_.leaf_count) urgencies_.merge_at = 0;
-      if (looks_left == 0) return;
+      if (looks.left() == 0) return;
       const Leaf& leaf = forest_.leaf[urgencies_.merge_at];
       ++urgencies_.merge_at;
       if (urgencies_.of[leaf.tet] != Urgency::kCalm || leaf.level == 0) continue;
-      --looks_left;
-      draw(leaf);
+      for ([[maybe_unused]] const uint32_t look : looks.take(0, 1)) draw(leaf);
     }
   }
 

@@ -52,7 +52,9 @@ class RotationChanges {
   static constexpr Class kNotWanted = 255;
 
   void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }
-  [[nodiscard]] bool is_conforming() const { return rules_.criterion != RotationCriterion::kMisfit; }
+  [[nodiscard]] bool is_conforming() const {
+    return Profile::kConformingFront && has_conforming_front(rules_.criterion);
+  }
   [[nodiscard]] uint8_t level_of(uint16_t group) const { return forest_.tet[front_.tet[group]].level; }
   [[nodiscard]] bool is_leaf(uint16_t group) const { return forest_.tet[front_.tet[group]].is_leaf; }
 

@@ -13,6 +13,11 @@ enum class RotationCriterion : uint8_t {
   kMisfit     // what splitting the group would gain (elastic/misfit.hpp)
 };
 
+/// Of which profiles need Profile::kConformingFront.
+constexpr bool has_conforming_front(RotationCriterion criterion) {
+  return criterion != RotationCriterion::kMisfit;
+}
+
 struct RotationRules {
   RotationCriterion criterion;
   uint8_t start_level;   // of the rotation tets at start

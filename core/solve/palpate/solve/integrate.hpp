@@ -149,15 +149,18 @@ void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, const 
   }
 }
 
-/// All substeps of a tick. `forces(remaining)` must fill the nodes' forces at SolveState::force_position,
-/// `integrate(remaining)` runs one substep. Both are the caller's so that each can be a stage of its own.
-template <class Forces, class Integrate>
-PALPATE_ALWAYS_INLINE void advance(const Dynamics& dynamics, Forces&& forces, Integrate&& integrate) {
-  for (const uint32_t substep : bounded<kMaxSubsteps>(dynamics.substeps, [] {})) {
-    const uint32_t remaining = dynamics.substeps - substep;
-    forces(remaining);
-    integrate(remaining);
+/// All substeps of a tick. `forces()` must fill the nodes' forces at SolveState::force_position, as
+/// `last_forces()`, which may also look at what changes only once a tick; `integrate(remaining)` runs one
+/// substep. They are the caller's so that each can be a stage of its own.
+template <uint32_t MostSubsteps, class Forces, class LastForces, class Integrate>
+PALPATE_ALWAYS_INLINE void advance(const Dynamics& dynamics, Forces&& forces, LastForces&& last_forces,
+                                   Integrate&& integrate) {
+  for (const uint32_t substep : bounded<MostSubsteps - 1>(dynamics.substeps - 1u, [] {})) {
+    forces();
+    integrate(dynamics.substeps - substep);
   }
+  last_forces();
+  integrate(1);
 }
 
 }  // namespace palpate

@@ -3,10 +3,12 @@
 //
 //   kLeaves, kNodes, kGroups   what the pools hold
 //   kMaxLevel                  of any leaf
+//   kSubsteps                  at most, a tick
 //   kPatches                   bisected, and merged, a tick; kTetsSplit and kTetsMerged tets in them
 //   kRotationChanges           groups split or begun to be joined a tick
 //   kTethers                   nodes that are being released or drawn at a time
 //   kContactCandidates         faces near the tool that a tick looks at closely
+//   kConformingFront           whether criteria whose rotation front conforms are compiled in
 #pragma once
 
 #include "palpate/numeric/platform.hpp"
@@ -20,12 +22,14 @@ struct CuboidPaper {
   static constexpr uint16_t kNodes = 512;
   static constexpr uint16_t kGroups = 48;
   static constexpr uint8_t kMaxLevel = 6;
+  static constexpr uint32_t kSubsteps = 3;
   static constexpr uint32_t kPatches = 1;
   static constexpr uint32_t kTetsSplit = 8;
   static constexpr uint32_t kTetsMerged = 8;
   static constexpr uint32_t kRotationChanges = 8;
   static constexpr uint16_t kTethers = 32;
   static constexpr uint32_t kContactCandidates = 64;
+  static constexpr bool kConformingFront = false;
 };
 
 /// The same bar as heavy as tissue, with room for finer levels where it is touched.
@@ -35,12 +39,14 @@ struct CuboidDense {
   static constexpr uint16_t kNodes = 512;
   static constexpr uint16_t kGroups = 300;
   static constexpr uint8_t kMaxLevel = 9;
+  static constexpr uint32_t kSubsteps = 1;
   static constexpr uint32_t kPatches = 4;
   static constexpr uint32_t kTetsSplit = 16;
   static constexpr uint32_t kTetsMerged = 16;
   static constexpr uint32_t kRotationChanges = 32;
   static constexpr uint16_t kTethers = 64;
   static constexpr uint32_t kContactCandidates = 64;
+  static constexpr bool kConformingFront = false;
 };
 
 struct Organ {
@@ -49,12 +55,14 @@ struct Organ {
   static constexpr uint16_t kNodes = 512;
   static constexpr uint16_t kGroups = 200;
   static constexpr uint8_t kMaxLevel = 9;
+  static constexpr uint32_t kSubsteps = 1;
   static constexpr uint32_t kPatches = 2;
   static constexpr uint32_t kTetsSplit = 16;
   static constexpr uint32_t kTetsMerged = 16;
   static constexpr uint32_t kRotationChanges = 16;
   static constexpr uint16_t kTethers = 64;
   static constexpr uint32_t kContactCandidates = 64;
+  static constexpr bool kConformingFront = false;
 };
 
 /// For a Cortex-M4.
@@ -64,12 +72,14 @@ struct Small {
   static constexpr uint16_t kNodes = 160;
   static constexpr uint16_t kGroups = 48;
   static constexpr uint8_t kMaxLevel = 6;
+  static constexpr uint32_t kSubsteps = 2;
   static constexpr uint32_t kPatches = 1;
   static constexpr uint32_t kTetsSplit = 8;
   static constexpr uint32_t kTetsMerged = 8;
   static constexpr uint32_t kRotationChanges = 8;
   static constexpr uint16_t kTethers = 16;
   static constexpr uint32_t kContactCandidates = 24;
+  static constexpr bool kConformingFront = false;
 };
 
 /// Host only: deep or large meshes, and full corotation, for studies and tests.
@@ -79,12 +89,14 @@ struct Workstation {
   static constexpr uint16_t kNodes = 4000;
   static constexpr uint16_t kGroups = kLeaves;
   static constexpr uint8_t kMaxLevel = 14;
+  static constexpr uint32_t kSubsteps = 8;
   static constexpr uint32_t kPatches = 16;
   static constexpr uint32_t kTetsSplit = 128;
   static constexpr uint32_t kTetsMerged = 128;
   static constexpr uint32_t kRotationChanges = 256;
   static constexpr uint16_t kTethers = 1000;
   static constexpr uint32_t kContactCandidates = 256;
+  static constexpr bool kConformingFront = true;
 };
 
 }  // namespace palpate

@@ -17,24 +17,23 @@ struct GroupRotations {
   const RotationRules& rules;
 
   [[nodiscard]] uint32_t split_measure(uint16_t group) const {
-    switch (rules.criterion) {
-      case RotationCriterion::kSiblings:
-        return from_sibling(group);
-      case RotationCriterion::kFull:
-        return may_share(front.tet[group]) ? 0u : 1u;
-      default:
-        return static_cast<uint32_t>(groups.misfit[group].raw());
+    if constexpr (Profile::kConformingFront) {
+      if (rules.criterion == RotationCriterion::kSiblings) return from_sibling(group);
+      if (rules.criterion == RotationCriterion::kFull) return may_share(front.tet[group]) ? 0u : 1u;
     }
+    return static_cast<uint32_t>(groups.misfit[group].raw());
   }
   /// Siblings: how far the two are apart, or their parent and its sibling, if that is more: it would be split
   /// again at once.
   [[nodiscard]] uint32_t join_measure(uint16_t group, uint16_t partner) const {
     const uint16_t parent = forest.parent_of(front.tet[group]);
-    if (rules.criterion == RotationCriterion::kFull) return may_share(parent) ? 0u : 1u;
     const uint32_t halves_apart = difference(group, partner);
-    if (rules.criterion == RotationCriterion::kSiblings) {
-      const uint32_t parents_apart = apart(parent, Forest<Profile>::sibling(parent));
-      return parents_apart > halves_apart ? parents_apart : halves_apart;
+    if constexpr (Profile::kConformingFront) {
+      if (rules.criterion == RotationCriterion::kFull) return may_share(parent) ? 0u : 1u;
+      if (rules.criterion == RotationCriterion::kSiblings) {
+        const uint32_t parents_apart = apart(parent, Forest<Profile>::sibling(parent));
+        return parents_apart > halves_apart ? parents_apart : halves_apart;
+      }
     }
     return static_cast<uint32_t>(joined_misfit(Q<4, 27>::from_raw(static_cast<int32_t>(halves_apart)),
                                                groups.misfit_left[group], groups.misfit_left[partner],

@@ -31,13 +31,16 @@ Status start(State<Profile>& state, const Model& model) {
   state.reaction = Reaction::none();
   state.clamps = ClampCounters{0, 0, 0};
   state.tick = 0;
+  if (model.dynamics.substeps > Profile::kSubsteps) return Status::kTooManySubsteps;
+  const RotationRules& rotation = model.remesh.rotation;
+  if (has_conforming_front(rotation.criterion) && !Profile::kConformingFront)
+    return Status::kNoConformingFront;
   const Status levels = start_detail::check_levels(model.remesh.stretch, model.level, Profile::kMaxLevel);
   if (levels != Status::kDone) return levels;
   MeshStatus mesh = make_roots(state.forest, model.block, model.region_density);
   if (mesh == MeshStatus::kDone) mesh = refine_uniformly(state.forest, model.level);
   if (mesh == MeshStatus::kNodesFull) return Status::kTooManyNodes;
   if (mesh != MeshStatus::kDone) return Status::kTooManyLeaves;
-  const RotationRules& rotation = model.remesh.rotation;
   const uint8_t level = rotation.criterion == RotationCriterion::kFull ? kDeepestLevel : rotation.start_level;
   if (!make_groups(state.forest, state.front, level)) return Status::kTooManyGroups;
   start_groups(state.front, state.groups);

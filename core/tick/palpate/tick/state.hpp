@@ -70,8 +70,10 @@ enum class Status : uint8_t {
   kTooManyLeaves,
   kTooManyNodes,
   kTooManyGroups,
-  kLevelTooDeep,        // of the start, or a region's finest one
-  kLevelsContradictory  // a region's range is empty, or the start's level is not in it
+  kLevelTooDeep,         // of the start, or a region's finest one
+  kLevelsContradictory,  // a region's range is empty, or the start's level is not in it
+  kTooManySubsteps,
+  kNoConformingFront  // the profile has none, and the model's criterion needs one
 };
 
 /// Builds the mesh of `model` at rest. At boot, not in the cycle: O(leaves) patches.

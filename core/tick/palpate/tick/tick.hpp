@@ -116,17 +116,10 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
   stage(CoreStage::kTouch, [&] { tick_stages::touch(state, input); });
   stage(CoreStage::kRemesh, [&] { tick_stages::remesh(state); });
   stage(CoreStage::kRotations, [&] { tick_stages::rotations(state); });
-  advance(
+  advance<Profile::kSubsteps>(
       state.model.dynamics,
-      [&](uint32_t remaining) {
-        stage(CoreStage::kForces, [&] {
-          if (remaining == 1) {
-            tick_stages::forces<Observe::kYes>(state);
-          } else {
-            tick_stages::forces<Observe::kNo>(state);
-          }
-        });
-      },
+      [&] { stage(CoreStage::kForces, [&] { tick_stages::forces<Observe::kNo>(state); }); },
+      [&] { stage(CoreStage::kForces, [&] { tick_stages::forces<Observe::kYes>(state); }); },
       [&](uint32_t remaining) {
         stage(CoreStage::kIntegrate, [&] { tick_stages::integrate(state, input, remaining); });
       });

@@ -119,8 +119,10 @@ class ContactStep {
   /// One tick with the tool at `tool`, within the position limit.
   void run(const Vector3<Position>& tool) {
     namespace detail = contact_detail;
-    if (!contact_.is_present && !is_clear(tool)) return;
-    if (!contact_.is_present) contact_.begin(tool);
+    if (!contact_.is_present) {
+      if (is_clear(tool)) contact_.begin(tool);
+      return;
+    }
     const Vector3<Position> carried_along = within_position_limit(contact_.proxy + carried());
     const Vector3<Position> way = detail::way_to_goal(rules_, carried_along, tool, contact_.normal);
     const Vector3<Position> step = detail::step_towards(way, contact_.normal, rules_.radius);

@@ -31,17 +31,6 @@ inline Fraction fraction_of(int64_t numerator, int64_t denominator) {
   return quotient > kFullFraction ? kFullFraction : quotient;
 }
 
-template <class Scalar>
-constexpr Acc<2 * Scalar::kFractionBits> square_of(const Vector3<Scalar>& v) {
-  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-}
-
-/// a . b; the caller knows that the sum fits 64 bits.
-template <class A, class B>
-constexpr Acc<A::kFractionBits + B::kFractionBits> dot(const Vector3<A>& a, const Vector3<B>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// v / |v|, zero for a zero vector. The square of the raw numbers is below 2^63: 16 edges, 107
 /// units of force. Error: 2 LSB
 /// beyond v's own rounding. Cost: one reciprocal root and 6 multiplies.

@@ -24,16 +24,17 @@ constexpr int64_t volume(const Offset& a, const Offset& b, const Offset& c) {
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-inline bool is_in_box(const std::array<Offset, 4>& corner) {
-  bool is_in = true;
-  for (const uint32_t axis : bounded<3>(3, [] {})) {
-    const bool is_below =
-        corner[0][axis] <= 0 || corner[1][axis] <= 0 || corner[2][axis] <= 0 || corner[3][axis] <= 0;
-    const bool is_above =
-        corner[0][axis] >= 0 || corner[1][axis] >= 0 || corner[2][axis] >= 0 || corner[3][axis] >= 0;
-    is_in = is_in && is_below && is_above;
-  }
-  return is_in;
+/// Whether of each coordinate some corner has no more than x and some no less: by signs, without a branch.
+inline bool is_in_box(const Vector3<Position>& a, const Vector3<Position>& b, const Vector3<Position>& c,
+                      const Vector3<Position>& d, const Vector3<Position>& x) {
+  const auto signs_along = [&](Eigen::Index axis) {
+    const int32_t d0 = a[axis].raw() - x[axis].raw();
+    const int32_t d1 = b[axis].raw() - x[axis].raw();
+    const int32_t d2 = c[axis].raw() - x[axis].raw();
+    const int32_t d3 = d[axis].raw() - x[axis].raw();
+    return ((d0 - 1) | (d1 - 1) | (d2 - 1) | (d3 - 1)) & ~(d0 & d1 & d2 & d3);
+  };
+  return (signs_along(0) & signs_along(1) & signs_along(2)) < 0;
 }
 
 /// `corner`: from the point to the nodes. The point divides the tet into four: it is inside when their
@@ -50,19 +51,29 @@ inline bool is_in_tet(const std::array<Offset, 4>& corner) {
 
 }  // namespace inside_detail
 
+/// Leaves whose box holds a point: a few at rest. Where there are more, as in a heap of inverted leaves, the
+/// answer is that it is inside.
+inline constexpr uint32_t kMostBoxes = 32;
+
 /// `x` within the position limit. Within 2^-16 edge of the surface either answer may come. O(leaves): a box
-/// each, and four volumes of 9 products where the box holds x.
+/// each, and kMostBoxes times four volumes of 9 products.
 template <class Profile>
 [[nodiscard]] bool is_inside(const Forest<Profile>& forest, const Vector3<Position>& x) {
   namespace detail = inside_detail;
   bool is_in = false;
+  auto boxes = bounded_total<kMostBoxes>([] {});
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
     const auto& node = forest.leaf[i].node;
-    const auto& position = forest.node.position;
-    const std::array<detail::Offset, 4> corner = {
-        detail::offset(x, position[node[0]]), detail::offset(x, position[node[1]]),
-        detail::offset(x, position[node[2]]), detail::offset(x, position[node[3]])};
-    if (detail::is_in_box(corner) && detail::is_in_tet(corner)) is_in = true;
+    const Vector3<Position>& a = forest.node.position[node[0]];
+    const Vector3<Position>& b = forest.node.position[node[1]];
+    const Vector3<Position>& c = forest.node.position[node[2]];
+    const Vector3<Position>& d = forest.node.position[node[3]];
+    if (!detail::is_in_box(a, b, c, d, x)) continue;
+    if (boxes.left() == 0) return true;
+    for ([[maybe_unused]] const uint32_t box : boxes.take(0, 1)) {
+      is_in = is_in || detail::is_in_tet({detail::offset(x, a), detail::offset(x, b), detail::offset(x, c),
+                                          detail::offset(x, d)});
+    }
   }
   return is_in;
 }

@@ -52,18 +52,21 @@ namespace surface_detail {
 /// Distance to the box around a triangle in the maximum norm: never more than that to the triangle.
 inline Position distance_to_box(const Vector3<Position>& a, const Vector3<Position>& b,
                                 const Vector3<Position>& c, const Vector3<Position>& x) {
-  Position most = Position::from_raw(0);
-  for (const uint32_t i : bounded<3>(3, [] {})) {
-    const auto axis = static_cast<Eigen::Index>(i);
+  const auto along = [&](Eigen::Index axis) {
     const Position low_ab = a[axis] < b[axis] ? a[axis] : b[axis];
     const Position high_ab = a[axis] < b[axis] ? b[axis] : a[axis];
     const Position low = (c[axis] < low_ab ? c[axis] : low_ab) - x[axis];
     const Position high = x[axis] - (c[axis] > high_ab ? c[axis] : high_ab);
-    most = low > most ? low : most;
-    most = high > most ? high : most;
-  }
-  return most;
+    return low > high ? low : high;
+  };
+  const auto larger = [](Position p, Position q) { return p > q ? p : q; };
+  return larger(larger(along(0), along(1)), larger(along(2), Position::from_raw(0)));
 }
+
+/// Faces without a neighbour: n leaves that hang together share n - 1 faces at least, and of the cubes each
+/// may stand alone.
+template <class Profile>
+inline constexpr uint32_t kMostFaces = 2u * (Profile::kLeaves + kMaxCubes);
 
 inline constexpr uint32_t kTightenings = 16;
 
@@ -120,13 +123,15 @@ void find_candidates(const Forest<Profile>& forest, const Vector3<Position>& cen
   found.range = range;
   const auto& x = forest.node.position;
   auto tightenings = bounded_total<surface_detail::kTightenings>([] {});
+  auto faces = bounded_total<surface_detail::kMostFaces<Profile>>([] {});
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
     const Leaf& leaf = forest.leaf[i];
     for (const uint32_t face : bounded<4>(4, [] {})) {
-      if (leaf.neighbour[face] != kNone) continue;
-      const FaceNodes node = face_nodes(leaf, face);
-      const Position bound = surface_detail::distance_to_box(x[node[0]], x[node[1]], x[node[2]], centre);
-      if (bound <= found.range) surface_detail::offer(node, bound, tightenings, found);
+      for ([[maybe_unused]] const uint32_t once : faces.take(0, leaf.neighbour[face] == kNone ? 1 : 0)) {
+        const FaceNodes node = face_nodes(leaf, face);
+        const Position bound = surface_detail::distance_to_box(x[node[0]], x[node[1]], x[node[2]], centre);
+        if (bound <= found.range) surface_detail::offer(node, bound, tightenings, found);
+      }
     }
   }
 }
