@@ -90,7 +90,9 @@ TEST(TouchReaction, AFreeToolIsNotBrakedForever) {
       x += i % ticks_between_steps == 0 ? 0.0005 : 0.0;
       tick(0.0);
       braked += reaction.passivity.is_braking ? 1u : 0u;
-      if (i > kFreeTicks + 100) EXPECT_EQ(reaction.force, zero_vector<Force>()) << i;
+      if (i > kFreeTicks + 100) {
+        EXPECT_EQ(reaction.force, zero_vector<Force>()) << i;
+      }
     }
     EXPECT_GE(reaction.passivity.energy.raw(), 0);
     return braked;
