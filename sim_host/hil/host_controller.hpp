@@ -3,8 +3,8 @@
 
 #include <functional>
 
+#include "compiled_stages.hpp"
 #include "hil/controller.hpp"
-#include "palpate/firmware/cycle.hpp"
 
 namespace palpate::sim {
 

@@ -11,6 +11,8 @@
 namespace palpate::sim {
 
 inline constexpr double kTickS = 1e-3;
+/// A degree.
+inline constexpr double kRadians = 3.14159265358979323846 / 180.0;
 
 template <int I, int F>
 double to_double(Q<I, F> q) {

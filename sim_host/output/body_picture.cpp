@@ -11,8 +11,8 @@ namespace palpate::sim {
 namespace {
 
 // From low x and high y: the grasped corner is in front, the drag goes to the left.
-constexpr Point3 kTowardsViewer = {-0.80, 0.45, 0.36};
-constexpr Point3 kLight = {-0.60, 0.20, 0.77};
+constexpr Point3 kTowardsBodyViewer = {-0.80, 0.45, 0.36};
+constexpr Point3 kBodyLight = {-0.60, 0.20, 0.77};
 // Colours of no displacement and of the largest one.
 constexpr std::array<double, 3> kStill = {250, 238, 225};
 constexpr std::array<double, 3> kFar = {196, 30, 50};
@@ -31,7 +31,7 @@ double largest_displacement(const BodyShape& shape) {
 std::string colour_of(const BodyShape& shape, const Triangle& t, double largest) {
   const double mean =
       (displacement(shape, t[0]) + displacement(shape, t[1]) + displacement(shape, t[2])) / 3.0;
-  const double shade = 0.76 + 0.24 * std::max(0.0, dot(normal(shape.now_mm, t), kLight));
+  const double shade = 0.76 + 0.24 * std::max(0.0, dot(normal(shape.now_mm, t), kBodyLight));
   const auto channel = [&](std::size_t i) {
     return static_cast<int>(shade * (kStill[i] + mean / largest * (kFar[i] - kStill[i])));
   };
@@ -100,7 +100,7 @@ std::string body_picture_script(const Recording& recording) {
   const BodyShape& shape = recording.at_peak;
   const bool has_tool = (recording.all_flags & static_cast<uint32_t>(TickFlag::kGrasping)) != 0;
   const double largest = largest_displacement(shape);
-  Drawing drawing(kTowardsViewer);
+  Drawing drawing(kTowardsBodyViewer);
   draw_table(shape, drawing);
   draw_surfaces(shape, largest, drawing);
   if (has_tool) {

@@ -11,8 +11,8 @@ namespace palpate::sim {
 namespace {
 
 // A bar that bends towards high y is seen from its side, from high x and above.
-constexpr Point3 kTowardsViewer = {0.80, -0.48, 0.36};
-constexpr Point3 kLight = {0.75, -0.15, 0.64};
+constexpr Point3 kTowardsWireframeViewer = {0.80, -0.48, 0.36};
+constexpr Point3 kWireframeLight = {0.75, -0.15, 0.64};
 constexpr std::array<double, 3> kTissue = {250, 240, 229};
 
 constexpr const char* kBold = "fs empty border rgb '#d0021b' lw 2.4";
@@ -49,7 +49,7 @@ class SurfaceEdges {
 };
 
 std::string colour_of(const BodyShape& shape, const Triangle& t) {
-  const double shade = 0.72 + 0.28 * std::max(0.0, dot(normal(shape.now_mm, t), kLight));
+  const double shade = 0.72 + 0.28 * std::max(0.0, dot(normal(shape.now_mm, t), kWireframeLight));
   const auto channel = [&](std::size_t i) { return static_cast<int>(shade * kTissue[i]); };
   return fmt::format("fc rgb '#{:02x}{:02x}{:02x}' fs solid 1.0 border rgb '#a9a39b' lw 0.6", channel(0),
                      channel(1), channel(2));
@@ -82,7 +82,7 @@ std::string wireframe_script(const std::vector<WireframePicture>& pictures) {
   constexpr double kPngPixels = 1200.0;
   std::string text;
   for (const WireframePicture& picture : pictures) {
-    Drawing drawing(kTowardsViewer);
+    Drawing drawing(kTowardsWireframeViewer);
     for (const WireframePicture& other : pictures) drawing.include(other.shape.now_mm);
     draw_body(picture, drawing);
     const double longer = std::max(drawing.width(), drawing.height());

@@ -8,6 +8,7 @@
 
 #include "palpate/mesh/make_forest.hpp"
 #include "palpate/tick/profiles.hpp"
+#include "units.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -17,7 +18,6 @@ using reference::Positions;
 using reference::StaticProblem;
 using reference::Vector;
 
-constexpr double kRadians = 3.14159265358979323846 / 180.0;
 constexpr double kMm = 1e3;
 
 /// From the program's axes to the reference's: y becomes x.

@@ -10,8 +10,8 @@
 namespace palpate::sim {
 namespace {
 
-constexpr Point3 kTowardsViewer = {-0.88, -0.38, 0.28};
-constexpr Point3 kLight = {-0.70, -0.10, 0.70};
+constexpr Point3 kTowardsMeshViewer = {-0.88, -0.38, 0.28};
+constexpr Point3 kMeshLight = {-0.70, -0.10, 0.70};
 constexpr double kMarginMm = 8.0;
 constexpr int kCoarsest = 3;
 constexpr int kFinest = 9;
@@ -108,7 +108,7 @@ class Panel {
   [[nodiscard]] std::string polygon(const Facet& facet, double shift) const {
     const int level = std::clamp(panel_.body->level[facet.tet], kCoarsest, kFinest);
     const double part = static_cast<double>(level - kCoarsest) / (kFinest - kCoarsest);
-    const double shade = 0.78 + 0.22 * std::max(0.0, dot(normal(facet), kLight));
+    const double shade = 0.78 + 0.22 * std::max(0.0, dot(normal(facet), kMeshLight));
     const auto channel = [&](std::size_t i) {
       return static_cast<int>(shade * (kCoarseColour[i] + part * (kFineColour[i] - kCoarseColour[i])));
     };
@@ -150,7 +150,7 @@ std::string mesh_picture_script(const std::string& file, const std::vector<MeshP
   constexpr double kPixelsPerMm = 1.9;
   constexpr double kTitleMm = 22.0;
   constexpr double kGapMm = 26.0;
-  const Projection projection(kTowardsViewer);
+  const Projection projection(kTowardsMeshViewer);
   std::vector<Panel> drawn;
   double bottom = 1e9;
   double top = -1e9;

@@ -6,13 +6,13 @@
 #include "paper/traced_run.hpp"
 #include "reference/body.hpp"
 #include "reference/experiments.hpp"
+#include "units.hpp"
 
 namespace palpate::sim {
 namespace {
 
 using reference::Vector;
 
-constexpr double kRadians = 3.14159265358979323846 / 180.0;
 constexpr uint32_t kTwoPeriods = 10000;
 
 reference::BodyParameters parameters_of(const Scenario& scenario, reference::ElasticModel model) {

@@ -67,7 +67,7 @@ class Builder {
   Table1 table_{};
 };
 
-std::string describe(const Table1Row& row) {
+std::string text_of(const Table1Row& row) {
   return fmt::format("part {}, theta {:.4g} deg, {} rotation tets", name_of(row.part), row.run.theta_deg,
                      row.run.rotation_tets);
 }
@@ -119,9 +119,9 @@ Verdict goal(const Table1& table, const Table1Row& row) {
 std::vector<std::string> find_objections(const Table1& table) {
   std::vector<std::string> objections;
   for (const Table1Row& row : table.rows) {
-    if (row.run.failure) objections.push_back(fmt::format("{}: {}", describe(row), *row.run.failure));
+    if (row.run.failure) objections.push_back(fmt::format("{}: {}", text_of(row), *row.run.failure));
     if (requirement(table, row) != Verdict::kFails) continue;
-    objections.push_back(fmt::format("{}: the average error is {:.4f} mm, the paper's {:g} mm", describe(row),
+    objections.push_back(fmt::format("{}: the average error is {:.4f} mm, the paper's {:g} mm", text_of(row),
                                      row.error.mean_mm, row.column->errors.average_mm));
   }
   return objections;

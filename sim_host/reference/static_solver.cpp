@@ -8,7 +8,7 @@
 namespace palpate::reference {
 namespace {
 
-constexpr int kMostIterations = 60;
+constexpr int kMostNewtonSteps = 60;
 constexpr double kShortestStep = 1e-6;
 
 using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
@@ -21,7 +21,7 @@ class LoadStep {
 
   /// Iterates until the residual is below the tolerance. Returns the iterations, or -1.
   int solve(Positions& x, double& residual) const {
-    for (int i = 0; i < kMostIterations; ++i) {
+    for (int i = 0; i < kMostNewtonSteps; ++i) {
       const Eigen::VectorXd force = free_forces(x);
       residual = force.cwiseAbs().maxCoeff();
       if (residual < problem_.tolerance_n) return i;

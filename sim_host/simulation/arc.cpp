@@ -22,7 +22,6 @@ Eigen::Matrix3d turned(Eigen::Index from, Eigen::Index to, double angle) {
 }  // namespace
 
 RigidMotion end_motion(const Scenario& scenario, double part) {
-  constexpr double kRadians = 3.14159265358979323846 / 180.0;
   const auto& cubes = scenario.model.cubes;
   const auto along = std::max_element(cubes.begin(), cubes.end()) - cubes.begin();
   const auto aside = (along + 2) % 3;

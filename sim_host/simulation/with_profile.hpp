@@ -1,8 +1,8 @@
 // From a profile's name to its type.
 #pragma once
 
+#include "compiled_stages.hpp"
 #include "model_parameters.hpp"
-#include "palpate/tick/profiles.hpp"
 
 namespace palpate::sim {
 

@@ -10,7 +10,6 @@ namespace {
 
 using container::ChunkRule;
 
-constexpr Tag kNode = Tag::of("NODE");
 constexpr Tag kTets = Tag::of("TETS");
 constexpr Tag kNote = Tag::of("NOTE");
 constexpr Tag kNews = Tag::of("NEWS");

@@ -10,8 +10,6 @@ namespace {
 
 using container::kRequiredFlag;
 
-constexpr Tag kRows = Tag::of("ROWS");
-
 constexpr uint8_t kBytes[5] = {};
 
 using Writer = ChunkWriter<MemorySink>;

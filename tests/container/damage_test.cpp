@@ -13,8 +13,6 @@ using container::is_usable;
 using container::kChunkHeaderBytes;
 using container::kFileHeaderBytes;
 
-constexpr Tag kRows = Tag::of("ROWS");
-constexpr Tag kNode = Tag::of("NODE");
 constexpr std::array<Kind, 3> kKinds = {Kind::kModel, Kind::kSnapshot, Kind::kRecording};
 
 /// Payloads with every length of padding.

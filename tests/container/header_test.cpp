@@ -8,7 +8,6 @@ namespace {
 
 using container::kFileHeaderBytes;
 
-constexpr Tag kRows = Tag::of("ROWS");
 constexpr uint32_t kFirstChunk = kFileHeaderBytes;
 constexpr uint32_t kEndChunk = kFirstChunk + 24;
 

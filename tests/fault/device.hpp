@@ -2,9 +2,8 @@
 // everything once in 2 s.
 #pragma once
 
+#include "compiled_stages.hpp"
 #include "model_parameters.hpp"
-#include "palpate/firmware/cycle.hpp"
-#include "palpate/tick/profiles.hpp"
 #include "plant/plant.hpp"
 
 namespace palpate::fault {

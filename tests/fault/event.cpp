@@ -9,7 +9,7 @@ namespace {
 
 using safety::Condition;
 
-constexpr auto kNone = static_cast<Condition>(safety::kConditionCount);
+constexpr auto kNoCondition = static_cast<Condition>(safety::kConditionCount);
 
 struct Row {
   const char* name;
@@ -31,15 +31,15 @@ constexpr std::array<Row, kEventKinds> kRows = {{
     {"overheated", "a winding at 105 degC", Condition::kMotorOverheated},
     {"force_limit", "max_newtons lowered to 0.1 N", Condition::kMaxForce},
     {"impulse_limit", "impulse_newtons_per_tick lowered to 2 mN", Condition::kForceImpulse},
-    {"body_moved", "the body stands 5 mm elsewhere", kNone},
+    {"body_moved", "the body stands 5 mm elsewhere", kNoCondition},
     {"yank", "a strong hand pulls the tool aside", Condition::kMaxVelocity},
     {"warm_motors", "a winding at 85 degC", Condition::kWarmMotors},
-    {"disable", "the user disables", kNone},
-    {"enable", "the user enables, enabled or not", kNone},
-    {"calibrate", "the user asks for a calibration", kNone},
-    {"abort_calibration", "the user aborts a calibration", kNone},
-    {"acknowledge", "the user acknowledges, fault or not", kNone},
-    {"grasp_glitch", "the grasp button reads the other way", kNone},
+    {"disable", "the user disables", kNoCondition},
+    {"enable", "the user enables, enabled or not", kNoCondition},
+    {"calibrate", "the user asks for a calibration", kNoCondition},
+    {"abort_calibration", "the user aborts a calibration", kNoCondition},
+    {"acknowledge", "the user acknowledges, fault or not", kNoCondition},
+    {"grasp_glitch", "the grasp button reads the other way", kNoCondition},
 }};
 
 const Row& row(EventKind kind) { return kRows[static_cast<std::size_t>(kind)]; }
@@ -60,7 +60,7 @@ std::string describe(const std::vector<Event>& events) {
 
 safety::ConditionSet expected_of(EventKind kind) {
   const Condition expected = row(kind).expected;
-  return expected == kNone ? safety::ConditionSet() : safety::ConditionSet::of(expected);
+  return expected == kNoCondition ? safety::ConditionSet() : safety::ConditionSet::of(expected);
 }
 
 }  // namespace palpate::fault

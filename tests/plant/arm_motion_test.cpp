@@ -6,8 +6,8 @@
 namespace palpate::plant {
 namespace {
 
-constexpr double kSubstep = 1e-4;
-const Eigen::Vector3d kNoTorque = Eigen::Vector3d::Zero();
+using test::kNoTorque;
+using test::kSubstep;
 
 ArmState run(const ArmDynamics& arm, ArmState state, const Eigen::Vector3d& torques, double seconds,
              double substep) {

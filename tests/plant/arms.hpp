@@ -14,6 +14,10 @@ inline constexpr double kForEver = 1e9;
 inline constexpr plant::JointLimits kNoLimits{
     {-kForEver, kForEver}, {-kForEver, kForEver}, {-kForEver, kForEver}, {-kForEver, kForEver}};
 
+/// Of the tests, in seconds.
+inline constexpr double kSubstep = 1e-4;
+inline const Eigen::Vector3d kNoTorque = Eigen::Vector3d::Zero();
+
 /// No friction; stops as given.
 inline plant::ArmParameters frictionless_arm() {
   plant::ArmParameters arm;

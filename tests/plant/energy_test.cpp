@@ -6,8 +6,8 @@
 namespace palpate::plant {
 namespace {
 
-constexpr double kSubstep = 1e-4;
-const Eigen::Vector3d kNoTorque = Eigen::Vector3d::Zero();
+using test::kNoTorque;
+using test::kSubstep;
 const ArmState kThrown{{0.2, 0.4, 0.9}, {4.0, -3.0, 5.0}};
 
 /// The largest change of energy on the way, as part of the first kinetic energy.

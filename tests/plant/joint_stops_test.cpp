@@ -7,8 +7,8 @@
 namespace palpate::plant {
 namespace {
 
-constexpr double kSubstep = 1e-4;
-const Eigen::Vector3d kZero = Eigen::Vector3d::Zero();
+using test::kNoTorque;
+using test::kSubstep;
 
 Eigen::Vector3d in_degrees(double q1, double q2, double q3) {
   return {radians(q1), radians(q2), radians(q3)};
@@ -19,7 +19,7 @@ TEST(JointStops, DoNothingWithinTheLimits) {
   const JointStops stops;
   for (int i = 0; i < 1000; ++i) {
     const Eigen::Vector3d q = test::random_posture(random, premium::kLimits);
-    ASSERT_EQ(stops.torques(q, 10.0 * random.vector()), kZero);
+    ASSERT_EQ(stops.torques(q, 10.0 * random.vector()), kNoTorque);
     ASSERT_EQ(stops.energy(q), 0.0);
   }
 }
@@ -28,7 +28,7 @@ TEST(JointStops, PushBackAtEachEnd) {
   const JointStops stops;
   const double push = 10.0 * radians(1.0);
   const auto expect = [&](const Eigen::Vector3d& q, const Eigen::Vector3d& torques) {
-    EXPECT_LT((stops.torques(q, kZero) - torques).norm(), 1e-12) << q[0] << " " << q[1] << " " << q[2];
+    EXPECT_LT((stops.torques(q, kNoTorque) - torques).norm(), 1e-12) << q[0] << " " << q[1] << " " << q[2];
     EXPECT_NEAR(stops.energy(q), 5.0 * radians(1.0) * radians(1.0), 1e-12);
   };
   expect(in_degrees(91, 0, 0), {-push, 0, 0});
@@ -40,8 +40,8 @@ TEST(JointStops, PushBackAtEachEnd) {
   // q2 = -125 and q3 = 215 degrees are behind the other limits: the fold's is met first.
   JointStops unfolded;
   unfolded.limits.fold = test::kNoLimits.fold;
-  EXPECT_NEAR(unfolded.torques(in_degrees(0, -125, 0), kZero)[1], push, 1e-12);
-  EXPECT_NEAR(unfolded.torques(in_degrees(0, 0, 215), kZero)[2], -push, 1e-12);
+  EXPECT_NEAR(unfolded.torques(in_degrees(0, -125, 0), kNoTorque)[1], push, 1e-12);
+  EXPECT_NEAR(unfolded.torques(in_degrees(0, 0, 215), kNoTorque)[2], -push, 1e-12);
 }
 
 TEST(JointStops, DampAndNeverPull) {
@@ -79,8 +79,8 @@ TEST(JointStops, ReturnAnInertiaWithTheClosedFormSpeed) {
 TEST(JointStops, HoldTheArmAgainstItsWeight) {
   // Counterweights turn the free links until stops hold them: the arm rests where springs balance gravity.
   const ArmDynamics arm{ArmParameters{}};
-  ArmState state{in_degrees(10, 20, 30), kZero};
-  for (int i = 0; i < 100000; ++i) state = arm.advance(state, kZero, {}, kSubstep);
+  ArmState state{in_degrees(10, 20, 30), kNoTorque};
+  for (int i = 0; i < 100000; ++i) state = arm.advance(state, kNoTorque, {}, kSubstep);
   EXPECT_LT(state.rates.norm(), 1e-3);
   const double weight = 0.01630 + 0.07376;
   EXPECT_GE(margin_to_limits(premium::kLimits, state.q), -weight / 10.0);
@@ -93,7 +93,7 @@ TEST(JointStops, HoldTheTurretAgainstTheStrongestMotor) {
   parameters.gravity = 0.0;
   const ArmDynamics arm{parameters};
   const Eigen::Vector3d torques(13.3 * 0.0234 * 5.5, 0, 0);
-  ArmState state{in_degrees(89, 0, 20), kZero};
+  ArmState state{in_degrees(89, 0, 20), kNoTorque};
   double deepest = 0.0;
   for (int i = 0; i < 50000; ++i) {
     state = arm.advance(state, torques, {}, kSubstep);
@@ -116,7 +116,7 @@ TEST(JointStops, TakeNoMoreThanTheirDampingExplains) {
   for (int i = 0; i < 2000; ++i) {
     const double before = state.rates[0];
     const bool is_in = state.q[0] > premium::kLimits.q1.high;
-    state = arm.advance(state, kZero, {}, kSubstep);
+    state = arm.advance(state, kNoTorque, {}, kSubstep);
     if (is_in) damped += 0.5 * kSubstep * 0.1 * (before * before + state.rates[0] * state.rates[0]);
     has_touched = has_touched || is_in;
     const double now = arm.energy(state);

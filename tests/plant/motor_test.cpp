@@ -4,12 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "arms.hpp"
 #include "plant/motor_thermal.hpp"
 
 namespace palpate::plant {
 namespace {
 
-constexpr double kSubstep = 1e-4;
+using test::kSubstep;
+
 const WindingParameters kWinding;
 const ThermalParameters kThermal;
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "any_seed.hpp"
 #include "reference/corotation.hpp"
 #include "reference/polar_rotation.hpp"
 #include "support/fixed.hpp"
@@ -15,8 +16,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-uint64_t any_seed() { return *rc::gen::noShrink(rc::gen::arbitrary<uint64_t>()); }
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = all_shapes(12);

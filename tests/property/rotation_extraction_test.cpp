@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "any_seed.hpp"
 #include "reference/polar_rotation.hpp"
 #include "support/fixed.hpp"
 #include "support/random.hpp"
@@ -105,8 +106,6 @@ constexpr Bound kBounds[] = {
 std::string name_of(const testing::TestParamInfo<Bound>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Steps, RotationExtractionError, testing::ValuesIn(kBounds), name_of);
-
-uint64_t any_seed() { return *rc::gen::noShrink(rc::gen::arbitrary<uint64_t>()); }
 
 bool is_unit_rotation(const Quaternion& q) {
   const Matrix3d r = doubles(rotation_matrix(q));

@@ -32,7 +32,7 @@ void expect_paths(const Forest<Profile>& forest) {
 }
 
 template <class Profile>
-void walk(const Block& block, uint64_t seed, uint32_t changes) {
+void change_mesh_and_front(const Block& block, uint64_t seed, uint32_t changes) {
   Random random(seed);
   MeshWithFront<Profile> mesh = mesh_with_front<Profile>(block, 1, 0);
   std::array<uint32_t, 4> done{};
@@ -66,18 +66,22 @@ void walk(const Block& block, uint64_t seed, uint32_t changes) {
 
 uint32_t changes() { return in_soak(1000000u, 12000u); }
 
-TEST(RotationFront, StaysAPartitionOfTheBar) { walk<TestProfile<400, 200, 9>>(bar_block(), 61, changes()); }
+TEST(RotationFront, StaysAPartitionOfTheBar) {
+  change_mesh_and_front<TestProfile<400, 200, 9>>(bar_block(), 61, changes());
+}
 TEST(RotationFront, StaysAPartitionOfANotchedBlock) {
-  walk<TestProfile<500, 300, 6>>(notched_block(), 62, changes());
+  change_mesh_and_front<TestProfile<500, 300, 6>>(notched_block(), 62, changes());
 }
 TEST(RotationFront, StaysAPartitionOfADeepCube) {
-  walk<TestProfile<300, 150, 14>>(full_block(1, 1, 1), 63, changes());
+  change_mesh_and_front<TestProfile<300, 150, 14>>(full_block(1, 1, 1), 63, changes());
 }
 
 struct ThirtyGroups : TestProfile<400, 200, 9> {
   static constexpr uint16_t kGroups = 30;
 };
-TEST(RotationFront, SurvivesGroupsThatRunOut) { walk<ThirtyGroups>(bar_block(), 64, changes()); }
+TEST(RotationFront, SurvivesGroupsThatRunOut) {
+  change_mesh_and_front<ThirtyGroups>(bar_block(), 64, changes());
+}
 
 /// The same by rapidcheck, which shrinks a sequence that fails to the few changes that matter.
 RC_GTEST_PROP(RotationFront, AnyShortSequenceKeepsIt, (const std::vector<uint16_t>& changes)) {

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "palpate/firmware/cycle.hpp"
+#include "compiled_stages.hpp"
 #include "recording/setting_table.hpp"
 #include "support/recordings.hpp"
 

@@ -1,11 +1,15 @@
 // A quiet device for tests of the whole safety layer: each tick all is well, until a test spoils it.
 #pragma once
 
+#include <array>
+
 #include "palpate/safety/safety.hpp"
 
 namespace palpate::safety::test {
 
 inline constexpr Ampere kNoCurrent = Ampere::from_raw(0);
+/// The motor codes of no current.
+inline constexpr std::array<uint16_t, 3> kZeroCodes{2048, 2048, 2048};
 
 inline Force3 force_along_x(phantom::Newton newtons) {
   Force3 force = zero_vector<phantom::Newton>();

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "../determinism/golden_body.hpp"
+#include "bench_arm.hpp"
 #include "palpate/firmware/cycle.hpp"
 
 namespace palpate::firmware {
@@ -11,8 +12,7 @@ namespace {
 
 using safety::Event;
 using safety::State;
-
-constexpr std::array<uint16_t, 3> kZeroCodes{2048, 2048, 2048};
+using safety::test::kZeroCodes;
 
 /// Drags the bar by turning the turret, and reports as a board does.
 class Device {

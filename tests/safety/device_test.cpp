@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "../determinism/golden_body.hpp"
+#include "bench_arm.hpp"
 #include "palpate/firmware/cycle.hpp"
 
 namespace palpate::firmware {
@@ -13,8 +14,7 @@ using safety::Condition;
 using safety::Event;
 using safety::EventSet;
 using safety::State;
-
-constexpr std::array<uint16_t, 3> kZeroCodes{2048, 2048, 2048};
+using safety::test::kZeroCodes;
 
 class GuardedDevice {
  public:

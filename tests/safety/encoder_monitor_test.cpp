@@ -10,10 +10,10 @@ namespace {
 
 using phantom::Counts;
 using test::just_above;
+using test::kMotionLimits;
 using Currents = std::array<Ampere, 3>;
 
-constexpr MotionLimits kLimits{};
-constexpr Currents kNoCurrent{Ampere::from_raw(0), Ampere::from_raw(0), Ampere::from_raw(0)};
+constexpr Currents kNoCurrents{Ampere::from_raw(0), Ampere::from_raw(0), Ampere::from_raw(0)};
 
 Counts counts_of(std::size_t joint, int32_t counts) {
   Counts all{};
@@ -21,14 +21,14 @@ Counts counts_of(std::size_t joint, int32_t counts) {
   return all;
 }
 Currents currents_of(std::size_t joint, Ampere current) {
-  Currents all = kNoCurrent;
+  Currents all = kNoCurrents;
   all[joint] = current;
   return all;
 }
 
 ConditionSet watch(EncoderMonitor& monitor, const Counts& counts, bool is_new = true,
-                   const Currents& currents = kNoCurrent) {
-  return watch_encoders(monitor, kLimits, counts, is_new, currents);
+                   const Currents& currents = kNoCurrents) {
+  return watch_encoders(monitor, kMotionLimits, counts, is_new, currents);
 }
 
 TEST(EncoderRange, IsSixteenBits) {
@@ -46,7 +46,7 @@ TEST(EncoderRange, IsSixteenBits) {
 }
 
 TEST(EncoderJump, IsOneCountMoreThanTheFastestHand) {
-  const int32_t limit = kLimits.max_counts_per_tick;
+  const int32_t limit = kMotionLimits.max_counts_per_tick;
   for (std::size_t joint = 0; joint < 3; ++joint) {
     for (const int32_t sign : {1, -1}) {
       EncoderMonitor monitor = make_encoder_monitor();
@@ -65,7 +65,7 @@ TEST(EncoderJump, IsSeenOverTheWholeRangeOfCounts) {
 }
 
 TEST(EncoderJump, AllowsTheWayOfEveryMissingMessage) {
-  const int32_t limit = kLimits.max_counts_per_tick;
+  const int32_t limit = kMotionLimits.max_counts_per_tick;
   for (const int32_t missing : {0, 1, 2, 5}) {
     for (const int32_t beyond : {0, 1}) {
       EncoderMonitor monitor = make_encoder_monitor();
@@ -90,11 +90,13 @@ int ticks_until_stuck(std::size_t joint, Ampere current, int at_most) {
 
 TEST(EncoderStuck, NeedsMoreThanFrictionForTheWholeTime) {
   for (std::size_t joint = 0; joint < 3; ++joint) {
-    EXPECT_EQ(ticks_until_stuck(joint, kLimits.moving_amperes, 3000), 0);
-    EXPECT_EQ(ticks_until_stuck(joint, -kLimits.moving_amperes, 3000), 0);
-    EXPECT_EQ(ticks_until_stuck(joint, just_above(kLimits.moving_amperes), 3000), kLimits.stuck_ticks);
-    EXPECT_EQ(ticks_until_stuck(joint, -just_above(kLimits.moving_amperes), 3000), kLimits.stuck_ticks);
-    EXPECT_EQ(ticks_until_stuck(joint, Ampere::min(), 3000), kLimits.stuck_ticks);
+    EXPECT_EQ(ticks_until_stuck(joint, kMotionLimits.moving_amperes, 3000), 0);
+    EXPECT_EQ(ticks_until_stuck(joint, -kMotionLimits.moving_amperes, 3000), 0);
+    EXPECT_EQ(ticks_until_stuck(joint, just_above(kMotionLimits.moving_amperes), 3000),
+              kMotionLimits.stuck_ticks);
+    EXPECT_EQ(ticks_until_stuck(joint, -just_above(kMotionLimits.moving_amperes), 3000),
+              kMotionLimits.stuck_ticks);
+    EXPECT_EQ(ticks_until_stuck(joint, Ampere::min(), 3000), kMotionLimits.stuck_ticks);
   }
 }
 
@@ -105,9 +107,9 @@ TEST(EncoderStuck, ClearsWithACountOrWithLessCurrent) {
     for (int i = 0; i < 5000; ++i) (void)watch(monitor, {}, true, pulls);
     EXPECT_TRUE(watch(monitor, {}, true, pulls).has(Condition::kEncoderStuck));
     const ConditionSet after =
-        by_motion ? watch(monitor, counts_of(1, 1), true, pulls) : watch(monitor, {}, true, kNoCurrent);
+        by_motion ? watch(monitor, counts_of(1, 1), true, pulls) : watch(monitor, {}, true, kNoCurrents);
     EXPECT_TRUE(after.is_empty());
-    for (uint32_t i = 1; i < kLimits.stuck_ticks; ++i) {  // the count begins anew
+    for (uint32_t i = 1; i < kMotionLimits.stuck_ticks; ++i) {  // the count begins anew
       const Counts there = by_motion ? counts_of(1, 1) : Counts{};
       ASSERT_TRUE(watch(monitor, there, true, pulls).is_empty());
     }
@@ -117,7 +119,7 @@ TEST(EncoderStuck, ClearsWithACountOrWithLessCurrent) {
 TEST(EncoderStuck, IsNotAJointThatMovesEvenByACountNowAndThen) {
   EncoderMonitor monitor = make_encoder_monitor();
   for (int i = 0; i < 20000; ++i) {
-    const Counts counts = counts_of(0, i / (kLimits.stuck_ticks - 1) % 2);
+    const Counts counts = counts_of(0, i / (kMotionLimits.stuck_ticks - 1) % 2);
     ASSERT_TRUE(watch(monitor, counts, true, currents_of(0, Ampere::ratio(5, 1))).is_empty()) << i;
   }
 }

@@ -1,8 +1,10 @@
-// All states, events and conditions, for tables.
+// All states, events and conditions, for tables; a format's numbers.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
+#include "palpate/safety/parameters.hpp"
 #include "palpate/safety/state_machine.hpp"
 
 namespace palpate::safety::test {
@@ -16,6 +18,15 @@ std::vector<Enum> every(uint32_t count) {
 inline std::vector<State> every_state() { return every<State>(kStateCount); }
 inline std::vector<Event> every_event() { return every<Event>(kEventCount); }
 inline std::vector<Condition> every_condition() { return every<Condition>(kConditionCount); }
+
+/// The defaults.
+inline constexpr MotionLimits kMotionLimits{};
+
+/// As a double.
+template <class Fixed>
+double number(Fixed value) {
+  return std::ldexp(static_cast<double>(value.raw()), -Fixed::kFractionBits);
+}
 
 /// The format's next number.
 template <class Fixed>

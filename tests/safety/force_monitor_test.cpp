@@ -14,10 +14,10 @@ using phantom::Metre;
 using phantom::Newton;
 using test::just_above;
 using test::just_below;
+using test::kMotionLimits;
 using Random = palpate::test::Random;
 
 constexpr ForceLimits kForceLimits{};
-constexpr MotionLimits kMotionLimits{};
 
 template <class Scalar>
 Vector3<Scalar> along(Eigen::Index axis, Scalar value) {

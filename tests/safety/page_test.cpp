@@ -19,6 +19,7 @@ namespace {
 using test::every_condition;
 using test::every_event;
 using test::every_state;
+using test::number;
 
 constexpr const char* kPage = PALPATE_SOURCE_FOLDER "/docs/safety.md";
 
@@ -69,11 +70,6 @@ std::string condition_rows() {
   return out.str();
 }
 
-template <class Fixed>
-double number(Fixed value) {
-  return std::ldexp(static_cast<double>(value.raw()), -Fixed::kFractionBits);
-}
-
 std::string threshold_rows() {
   const Parameters p;
   struct Threshold {
@@ -110,10 +106,10 @@ std::string threshold_rows() {
   return out.str();
 }
 
-using Arrow = std::tuple<std::string, std::string, std::string>;  // from, event, to
+using NamedArrow = std::tuple<std::string, std::string, std::string>;  // from, event, to
 
-std::set<Arrow> arrows_of_table() {
-  std::set<Arrow> arrows;
+std::set<NamedArrow> arrows_of_table() {
+  std::set<NamedArrow> arrows;
   for (const State state : every_state()) {
     for (const Event event : every_event()) {
       const Step taken = step(state, event);
@@ -136,8 +132,8 @@ std::vector<std::string> events_of_label(const std::string& label) {
 }
 
 /// Of lines "  From --> To : label"; [*] is where it starts.
-std::set<Arrow> arrows_of_drawing(const std::string& page) {
-  std::set<Arrow> arrows;
+std::set<NamedArrow> arrows_of_drawing(const std::string& page) {
+  std::set<NamedArrow> arrows;
   std::istringstream lines(page);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
@@ -152,7 +148,7 @@ std::set<Arrow> arrows_of_drawing(const std::string& page) {
   return arrows;
 }
 
-std::string text_of(const std::set<Arrow>& arrows, const std::set<Arrow>& without) {
+std::string text_of(const std::set<NamedArrow>& arrows, const std::set<NamedArrow>& without) {
   std::string text;
   for (const auto& [from, event, to] : arrows) {
     if (without.count({from, event, to}) != 0) continue;
@@ -166,8 +162,8 @@ TEST(SafetyPage, ShowsTheConditionsOfTheCode) { expect_in_page("conditions", con
 TEST(SafetyPage, ShowsTheThresholdsOfTheCode) { expect_in_page("thresholds", threshold_rows()); }
 
 TEST(SafetyPage, DrawsTheArrowsOfTheTable) {
-  const std::set<Arrow> drawn = arrows_of_drawing(read_page());
-  const std::set<Arrow> coded = arrows_of_table();
+  const std::set<NamedArrow> drawn = arrows_of_drawing(read_page());
+  const std::set<NamedArrow> coded = arrows_of_table();
   EXPECT_EQ(text_of(coded, drawn), "") << "add these to the drawing in " << kPage;
   EXPECT_EQ(text_of(drawn, coded), "") << "remove these from the drawing in " << kPage;
   EXPECT_EQ(drawn, coded);

@@ -6,13 +6,12 @@
 #include <functional>
 #include <vector>
 
+#include "every.hpp"
+
 namespace palpate::safety {
 namespace {
 
-template <class Fixed>
-double number(Fixed value) {
-  return std::ldexp(static_cast<double>(value.raw()), -Fixed::kFractionBits);
-}
+using test::number;
 
 TEST(Parameters, DefaultToThePublishedFigures) {
   const Parameters p;

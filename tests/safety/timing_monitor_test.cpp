@@ -6,7 +6,7 @@
 namespace palpate::safety {
 namespace {
 
-constexpr TimingLimits kLimits{};
+constexpr TimingLimits kTimingLimits{};
 
 class Clock {
  public:
@@ -15,7 +15,7 @@ class Clock {
   TimingFindings tick(bool has_message = true, bool is_late = false, uint32_t ticks = 1) {
     tick_ += ticks;
     if (has_message) ++message_;
-    return watch_timing(monitor_, kLimits, {tick_, message_, is_late});
+    return watch_timing(monitor_, kTimingLimits, {tick_, message_, is_late});
   }
 
  private:
@@ -25,13 +25,13 @@ class Clock {
 };
 
 TEST(CommunicationLost, IsRaisedInTheLastOfTheSilentTicksAndClearsWithAMessage) {
-  for (uint32_t silent = 0; silent < 3u * kLimits.silent_ticks; ++silent) {
+  for (uint32_t silent = 0; silent < 3u * kTimingLimits.silent_ticks; ++silent) {
     Clock clock;
     EXPECT_TRUE(clock.tick().is_new_message);
     for (uint32_t i = 1; i <= silent; ++i) {
       const TimingFindings found = clock.tick(false);
       EXPECT_FALSE(found.is_new_message);
-      EXPECT_EQ(found.conditions.has(Condition::kCommunicationLost), i >= kLimits.silent_ticks);
+      EXPECT_EQ(found.conditions.has(Condition::kCommunicationLost), i >= kTimingLimits.silent_ticks);
     }
     const TimingFindings found = clock.tick();
     EXPECT_TRUE(found.is_new_message);
@@ -41,7 +41,8 @@ TEST(CommunicationLost, IsRaisedInTheLastOfTheSilentTicksAndClearsWithAMessage) 
 
 TEST(CommunicationLost, CountsTicksInARowOnly) {
   Clock clock;
-  for (int i = 0; i < 100; ++i) EXPECT_TRUE(clock.tick(i % kLimits.silent_ticks == 0).conditions.is_empty());
+  for (int i = 0; i < 100; ++i)
+    EXPECT_TRUE(clock.tick(i % kTimingLimits.silent_ticks == 0).conditions.is_empty());
 }
 
 TEST(CycleSlip, IsAnyNumberButTheSuccessor) {
@@ -62,13 +63,14 @@ TEST(CycleSlip, IsNotTheEndOfTheNumbers) {
 TEST(TickOverrun, IsRaisedByTheLastOfLateCyclesInARowAndClearsWithOneInTime) {
   Clock clock;
   for (int repeat = 0; repeat < 3; ++repeat) {
-    for (uint32_t i = 1; i <= 3u * kLimits.overrun_ticks; ++i) {
-      EXPECT_EQ(clock.tick(true, true).conditions.has(Condition::kTickOverrun), i >= kLimits.overrun_ticks);
+    for (uint32_t i = 1; i <= 3u * kTimingLimits.overrun_ticks; ++i) {
+      EXPECT_EQ(clock.tick(true, true).conditions.has(Condition::kTickOverrun),
+                i >= kTimingLimits.overrun_ticks);
     }
     EXPECT_TRUE(clock.tick().conditions.is_empty());
   }
   for (int i = 0; i < 100; ++i) {
-    EXPECT_TRUE(clock.tick(true, i % kLimits.overrun_ticks != 0).conditions.is_empty());
+    EXPECT_TRUE(clock.tick(true, i % kTimingLimits.overrun_ticks != 0).conditions.is_empty());
   }
 }
 

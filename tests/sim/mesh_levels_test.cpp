@@ -7,15 +7,6 @@
 namespace palpate::test {
 namespace {
 
-using nlohmann::json;
-
-/// Of a run in haste, with these flags or this file.
-json summary_of(const TemporaryFolder& folder, const std::string& arguments) {
-  const Outcome outcome = run_program(folder, arguments + " --plots off --out run");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  return json::parse(read_text(folder / "run/summary.json"));
-}
-
 Model compiled(sim::Scenario scenario) {
   sim::complete_scenario(scenario);
   sim::fit_to_profile(scenario);
@@ -56,8 +47,8 @@ TEST(MeshLevels, AnAutomaticLevelIsNotAboveTheMost) {
 TEST(MeshLevels, AClosedRangeIsAFixedMesh) {
   const TemporaryFolder folder;
   const std::string run = "run cuboid-sine --level 3 --ticks 300";
-  const json by_default = summary_of(folder, run);
-  const json fixed = summary_of(folder, run + " --stretch fixed");
+  const nlohmann::json by_default = summary_of_run(folder, run);
+  const nlohmann::json fixed = summary_of_run(folder, run + " --stretch fixed");
   EXPECT_EQ(by_default["state_hash"], fixed["state_hash"]);
   EXPECT_EQ(by_default["parameters"]["least_level"], 3);
   EXPECT_EQ(by_default["parameters"]["most_level"], 3);
@@ -66,19 +57,21 @@ TEST(MeshLevels, AClosedRangeIsAFixedMesh) {
 
 TEST(MeshLevels, AnOpenRangeRefinesWithoutAnotherWord) {
   const TemporaryFolder folder;
-  const json refined = summary_of(folder, "run cuboid-sine --level 3 --most-level 5 --ticks 500");
+  const nlohmann::json refined =
+      summary_of_run(folder, "run cuboid-sine --level 3 --most-level 5 --ticks 500");
   EXPECT_GT(refined["tets"], 144);
-  const json coarsened = summary_of(folder, "run cuboid-sine --level 3 --least-level 1 --ticks 500");
+  const nlohmann::json coarsened =
+      summary_of_run(folder, "run cuboid-sine --level 3 --least-level 1 --ticks 500");
   EXPECT_LT(coarsened["tets"], 144);
 }
 
 /// Nodes that were drawn to be merged and let go, in turns, kept it from coming to rest.
 TEST(SlowMeshLevels, AMeshThatIsRefinedComesToRest) {
   const TemporaryFolder folder;
-  const json summary =
-      summary_of(folder,
-                 "run cuboid-sine --rest-at-peak on --profile workstation --theta 0.2 --level 3 "
-                 "--most-level 6 --stretch longest-edge --stretch-split 0.001");
+  const nlohmann::json summary =
+      summary_of_run(folder,
+                     "run cuboid-sine --rest-at-peak on --profile workstation --theta 0.2 --level 3 "
+                     "--most-level 6 --stretch longest-edge --stretch-split 0.001");
   EXPECT_LT(summary["ticks"], 5000);
 }
 
@@ -87,7 +80,7 @@ TEST(MeshLevels, ARegionHasItsOwn) {
   write_text(folder / "bar.toml",
              "scenario = 'cuboid-sine'\nlevel = 3\nleast_level = 2\nticks = 50\nregion_of_cube = [0, 1, 1]\n"
              "[[region]]\nmost_level = 4\n[[region]]\nleast_level = 1\n");
-  const json regions = summary_of(folder, "run bar.toml")["parameters"]["region"];
+  const nlohmann::json regions = summary_of_run(folder, "run bar.toml")["parameters"]["region"];
   ASSERT_EQ(regions.size(), 2U);
   EXPECT_EQ(regions[0]["least_level"], 2);
   EXPECT_EQ(regions[0]["most_level"], 4);

@@ -7,8 +7,7 @@
 
 #include <memory>
 
-#include "palpate/firmware/cycle.hpp"
-#include "palpate/tick/profiles.hpp"
+#include "compiled_stages.hpp"
 #include "program.hpp"
 #include "scenario/grasp_script.hpp"
 #include "simulation/capacity.hpp"

@@ -29,6 +29,16 @@ std::string read_text(const std::filesystem::path& path) {
 
 void write_text(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
 
+nlohmann::json summary_of(const TemporaryFolder& folder, const std::string& run) {
+  return nlohmann::json::parse(read_text(folder / (run + "/summary.json")));
+}
+
+nlohmann::json summary_of_run(const TemporaryFolder& folder, const std::string& arguments) {
+  const Outcome outcome = run_program(folder, arguments + " --plots off --out run");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return summary_of(folder);
+}
+
 void expect_one_line(const std::string& text) {
   EXPECT_EQ(text.rfind("palpate: ", 0), 0U) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;

@@ -8,10 +8,6 @@
 namespace palpate::test {
 namespace {
 
-nlohmann::json summary_of(const TemporaryFolder& folder, const std::string& run) {
-  return nlohmann::json::parse(read_text(folder / (run + "/summary.json")));
-}
-
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);

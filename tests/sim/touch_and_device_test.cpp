@@ -8,16 +8,6 @@
 namespace palpate::test {
 namespace {
 
-nlohmann::json summary_of(const TemporaryFolder& folder) {
-  return nlohmann::json::parse(read_text(folder / "run/summary.json"));
-}
-
-nlohmann::json summary_of_run(const TemporaryFolder& folder, const std::string& arguments) {
-  const Outcome outcome = run_program(folder, arguments + " --plots off --out run");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  return summary_of(folder);
-}
-
 bool has_flag(const nlohmann::json& summary, const std::string& name) {
   const auto& flags = summary["flags"];
   return std::find(flags.begin(), flags.end(), name) != flags.end();

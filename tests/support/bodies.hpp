@@ -5,11 +5,11 @@
 
 #include <memory>
 
+#include "compiled_stages.hpp"
 #include "model_parameters.hpp"
 #include "palpate/mesh/invariants.hpp"
 #include "palpate/tick/hash.hpp"
 #include "palpate/tick/profiles.hpp"
-#include "palpate/tick/tick.hpp"
 #include "reference/mesh_from_forest.hpp"
 #include "support/fixed.hpp"
 

@@ -30,6 +30,10 @@ using container::WriteStatus;
 
 using File = std::vector<uint8_t>;
 
+/// For chunks that a test makes up.
+inline constexpr Tag kRows = Tag::of("ROWS");
+inline constexpr Tag kNode = Tag::of("NODE");
+
 inline Bytes bytes_of(const File& file) { return Bytes{file.data(), static_cast<uint32_t>(file.size())}; }
 inline Bytes bytes_of(const std::string& text) {
   return Bytes{reinterpret_cast<const uint8_t*>(text.data()), static_cast<uint32_t>(text.size())};

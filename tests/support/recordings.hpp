@@ -5,8 +5,8 @@
 
 #include <memory>
 
+#include "compiled_stages.hpp"
 #include "model_parameters.hpp"
-#include "palpate/tick/profiles.hpp"
 #include "recording/recording_reader.hpp"
 #include "recording/run_recorder.hpp"
 #include "support/containers.hpp"

@@ -6,8 +6,8 @@
 #include <map>
 #include <memory>
 
+#include "compiled_stages.hpp"
 #include "palpate/telemetry/command.hpp"
-#include "palpate/tick/profiles.hpp"
 #include "support/sample_model.hpp"
 
 namespace palpate::test {

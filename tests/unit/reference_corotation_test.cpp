@@ -9,10 +9,10 @@
 #include "reference/static_solver.hpp"
 #include "support/random.hpp"
 
-namespace palpate::test {
+namespace palpate::reference {
 namespace {
 
-using namespace palpate::reference;  // NOLINT(google-build-using-namespace)
+using test::Random;
 
 Mesh any_tet(Random& random) {
   Mesh mesh;
@@ -220,4 +220,4 @@ TEST(ReferenceBody, SwingsAtItsFrequency) {
 }
 
 }  // namespace
-}  // namespace palpate::test
+}  // namespace palpate::reference

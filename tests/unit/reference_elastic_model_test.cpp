@@ -9,18 +9,10 @@
 #include "reference/polar_rotation.hpp"
 #include "support/random.hpp"
 
-namespace palpate::test {
+namespace palpate::reference {
 namespace {
 
-using reference::ElasticModel;
-using reference::energy_of;
-using reference::Material;
-using reference::material_of;
-using reference::Matrix;
-using reference::stress_of;
-using reference::stress_tangent_of;
-using reference::StressTangent;
-using reference::Tangent;
+using test::Random;
 
 constexpr ElasticModel kModels[] = {ElasticModel::kCorotation, ElasticModel::kStVenantKirchhoff,
                                     ElasticModel::kLinear};
@@ -106,8 +98,7 @@ TEST(ElasticModel, LinearOneTakesARotationForAStrain) {
   turned << c, -std::sin(0.5), 0, std::sin(0.5), c, 0, 0, 0, 1;
   const Matrix p = stress_of(ElasticModel::kLinear, turned, material);
   const double along = 2 * (material.mu + material.lambda) * (c - 1);
-  EXPECT_LT((p - reference::Vector(along, along, 2 * material.lambda * (c - 1)).asDiagonal().toDenseMatrix())
-                .norm(),
+  EXPECT_LT((p - Vector(along, along, 2 * material.lambda * (c - 1)).asDiagonal().toDenseMatrix()).norm(),
             1e-9);
 }
 
@@ -118,14 +109,14 @@ TEST(ElasticModel, UniaxialStretchGivesYoungsModulus) {
     const double stretch = 1.2;
     const double green = 0.5 * (stretch * stretch - 1);
     const double aside = std::sqrt(1 - 2 * nu * green);
-    const Matrix f = reference::Vector(aside, stretch, aside).asDiagonal();
+    const Matrix f = Vector(aside, stretch, aside).asDiagonal();
     const Matrix p = stress_of(ElasticModel::kStVenantKirchhoff, f, material);
     EXPECT_NEAR(p(1, 1), stretch * 500 * green, 1e-9);
     EXPECT_NEAR(p(0, 0), 0.0, 1e-9);
     EXPECT_NEAR(energy_of(ElasticModel::kStVenantKirchhoff, f, material), 0.5 * 500 * green * green, 1e-9);
 
     const double e = stretch - 1;
-    const Matrix g = reference::Vector(1 - nu * e, stretch, 1 - nu * e).asDiagonal();
+    const Matrix g = Vector(1 - nu * e, stretch, 1 - nu * e).asDiagonal();
     for (const ElasticModel model : {ElasticModel::kCorotation, ElasticModel::kLinear}) {
       EXPECT_NEAR(stress_of(model, g, material)(1, 1), 500 * e, 1e-9);
       EXPECT_NEAR(stress_of(model, g, material)(0, 0), 0.0, 1e-9);
@@ -135,4 +126,4 @@ TEST(ElasticModel, UniaxialStretchGivesYoungsModulus) {
 }
 
 }  // namespace
-}  // namespace palpate::test
+}  // namespace palpate::reference

@@ -10,25 +10,17 @@
 #include "support/forests.hpp"
 #include "support/random.hpp"
 
-namespace palpate::test {
+namespace palpate::reference {
 namespace {
 
-using reference::AdaptiveCorotation;
-using reference::BisectionTree;
-using reference::Closure;
-using reference::Front;
-using reference::Matrix;
-using reference::RemainingRotation;
-using reference::RotationSource;
-using reference::TreeTet;
-using reference::Vector;
+using test::Random;
 
 constexpr double kEdgeM = 0.064;
 
 BisectionTree bar_tree(uint8_t level) {
-  const auto forest = roots_of<Bar>(bar_block());
+  const auto forest = test::roots_of<test::Bar>(test::bar_block());
   EXPECT_EQ(refine_uniformly(*forest, level), MeshStatus::kDone);
-  return reference::tree_of(*forest, kEdgeM);
+  return tree_of(*forest, kEdgeM);
 }
 
 TEST(BisectionTree, RebuildsEveryTetFromTheLeaves) {
@@ -38,7 +30,7 @@ TEST(BisectionTree, RebuildsEveryTetFromTheLeaves) {
   EXPECT_EQ(tree.roots.size(), 18u);
   EXPECT_EQ(tree.tet.size(), 2u * 1152u - 18u);
   for (const TreeTet& tet : tree.tet) {
-    if (tet.child[0] == reference::kNoTet) continue;
+    if (tet.child[0] == kNoTet) continue;
     const uint32_t end = refinement_end(type_of_level(tet.level));
     const auto& rest = tree.mesh.rest;
     const Vector middle = 0.5 * (rest[tet.node[0]] + rest[tet.node[end]]);
@@ -109,10 +101,8 @@ TEST(Front, CoversEveryLeafOnceAndMergesBack) {
 class CoarseBend : public ::testing::Test {
  protected:
   AdaptiveCorotation bent(RotationSource source) {
-    return AdaptiveCorotation(tree_,
-                              reference::bend_problem(tree_.mesh, reference::material_of(500, 0.49, 10), 1.0,
-                                                      reference::BendFrame::kHeldEnd),
-                              source);
+    return AdaptiveCorotation(
+        tree_, bend_problem(tree_.mesh, material_of(500, 0.49, 10), 1.0, BendFrame::kHeldEnd), source);
   }
   BisectionTree tree_ = bar_tree(4);
 };
@@ -143,7 +133,7 @@ TEST_F(CoarseBend, IsInEquilibriumWithItsOwnRotations) {
     for (uint32_t i = tree_.tet[group].first_leaf; i < tree_.tet[group].end_leaf; ++i) {
       mean += body.leaves()[i].volume * body.gradient(i);
     }
-    EXPECT_LT(reference::angle_between(reference::polar_rotation(mean), body.rotation(group)), 1e-9);
+    EXPECT_LT(angle_between(polar_rotation(mean), body.rotation(group)), 1e-9);
   }
 }
 
@@ -187,4 +177,4 @@ TEST_F(CoarseBend, AThresholdStopsBothWaysNearTheSameFront) {
 }
 
 }  // namespace
-}  // namespace palpate::test
+}  // namespace palpate::reference

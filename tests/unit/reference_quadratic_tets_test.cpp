@@ -6,16 +6,10 @@
 #include "reference/static_solver.hpp"
 #include "support/random.hpp"
 
-namespace palpate::test {
+namespace palpate::reference {
 namespace {
 
-using reference::ElasticModel;
-using reference::ElementOf;
-using reference::Matrix;
-using reference::Mesh;
-using reference::Positions;
-using reference::QuadraticBody;
-using reference::Vector;
+using test::Random;
 
 Mesh two_tets(Random& random) {
   Mesh mesh;
@@ -29,19 +23,19 @@ Mesh two_tets(Random& random) {
 TEST(QuadraticTets, ShareTheirEdgesAndVolume) {
   Random random(91);
   const Mesh mesh = two_tets(random);
-  const QuadraticBody body = reference::quadratic_body(mesh);
+  const QuadraticBody body = quadratic_body(mesh);
   EXPECT_EQ(body.mesh.rest.size(), 5u + 9u);
   EXPECT_EQ(body.elements.size(), 8u);
   double volume = 0.0;
   for (const ElementOf<10>& element : body.elements) volume += element.volume;
-  EXPECT_NEAR(volume, reference::element_of(mesh, 0).volume + reference::element_of(mesh, 1).volume, 1e-15);
+  EXPECT_NEAR(volume, element_of(mesh, 0).volume + element_of(mesh, 1).volume, 1e-15);
 }
 
 /// x_i = X . Q_i X / 2 + A X is quadratic: F_ij = (Q_i X)_j + A_ij at the points, which are where the shape
 /// functions put them.
 TEST(QuadraticTets, HoldAQuadraticFieldExactly) {
   Random random(92);
-  const QuadraticBody body = reference::quadratic_body(two_tets(random));
+  const QuadraticBody body = quadratic_body(two_tets(random));
   const Matrix a = random.matrix();
   std::array<Matrix, 3> q;
   for (Matrix& m : q) {
@@ -62,15 +56,15 @@ TEST(QuadraticTets, HoldAQuadraticFieldExactly) {
     }
     Matrix expected = a;
     for (int i = 0; i < 3; ++i) expected.row(i) += (q[static_cast<std::size_t>(i)] * at).transpose();
-    EXPECT_LT((reference::deformation_gradient(body.elements[e], x) - expected).norm(), 1e-13);
+    EXPECT_LT((deformation_gradient(body.elements[e], x) - expected).norm(), 1e-13);
   }
 }
 
 /// The patch test: an affine deformation needs no force on the inner nodes, and stretches like a bar.
 TEST(QuadraticTets, PassThePatchTest) {
   Random random(93);
-  const QuadraticBody body = reference::quadratic_body(two_tets(random));
-  const std::vector<reference::Material> materials = {reference::material_of(500, 0.3, 1000)};
+  const QuadraticBody body = quadratic_body(two_tets(random));
+  const std::vector<Material> materials = {material_of(500, 0.3, 1000)};
   const Matrix f = Matrix::Identity() + 0.1 * random.matrix();
   Positions x;
   for (const Vector& p : body.mesh.rest) x.push_back(f * p);
@@ -78,10 +72,10 @@ TEST(QuadraticTets, PassThePatchTest) {
   for (const ElementOf<10>& element : body.elements) volume += element.volume;
   for (const ElasticModel model :
        {ElasticModel::kCorotation, ElasticModel::kStVenantKirchhoff, ElasticModel::kLinear}) {
-    EXPECT_NEAR(static_energy(body.elements, materials, x, model),
-                volume * reference::energy_of(model, f, materials[0]), 1e-12);
+    EXPECT_NEAR(static_energy(body.elements, materials, x, model), volume * energy_of(model, f, materials[0]),
+                1e-12);
     // Work done by the nodal forces in an affine motion is the stress power.
-    const Matrix p = reference::stress_of(model, f, materials[0]);
+    const Matrix p = stress_of(model, f, materials[0]);
     const std::vector<Vector> force = static_forces(body.elements, materials, x, model);
     Matrix virial = Matrix::Zero();
     for (uint32_t i = 0; i < x.size(); ++i) virial += force[i] * body.mesh.rest[i].transpose();
@@ -90,4 +84,4 @@ TEST(QuadraticTets, PassThePatchTest) {
 }
 
 }  // namespace
-}  // namespace palpate::test
+}  // namespace palpate::reference

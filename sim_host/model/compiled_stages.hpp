@@ -1,0 +1,32 @@
+// The stages of a tick, compiled once for every profile. Each takes a compiler seconds, and most of all under
+// sanitizers: who includes this file leaves them to compiled_stages.cpp, whatever its probe.
+#pragma once
+
+#include "palpate/firmware/cycle.hpp"
+#include "palpate/tick/hash.hpp"
+#include "palpate/tick/profiles.hpp"
+
+/// `keyword` is extern for the declarations and nothing for the definitions.
+#define PALPATE_STAGES(keyword, Profile)                                                               \
+  keyword template Status start(State<Profile>&, const Model&);                                        \
+  keyword template void tick_stages::touch(State<Profile>&, const TickInput&);                         \
+  keyword template void tick_stages::remesh(State<Profile>&);                                          \
+  keyword template void tick_stages::rotations(State<Profile>&);                                       \
+  keyword template void tick_stages::forces<Observe::kYes>(State<Profile>&);                           \
+  keyword template void tick_stages::forces<Observe::kNo>(State<Profile>&);                            \
+  keyword template void tick_stages::integrate(State<Profile>&, const TickInput&, uint32_t);           \
+  keyword template void tick_stages::reaction(State<Profile>&, const TickInput&, const ClampCounters&, \
+                                              TickOutput&);                                            \
+  keyword template uint64_t stage_hash(const State<Profile>&, const TickOutput&, CoreStage);           \
+  keyword template void firmware::cycle_stages::motor_codes(firmware::CycleState<Profile>&,            \
+                                                            safety::Observation&);
+
+namespace palpate {
+
+PALPATE_STAGES(extern, CuboidPaper)
+PALPATE_STAGES(extern, CuboidDense)
+PALPATE_STAGES(extern, Organ)
+PALPATE_STAGES(extern, Small)
+PALPATE_STAGES(extern, Workstation)
+
+}  // namespace palpate
