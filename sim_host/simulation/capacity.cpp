@@ -82,9 +82,11 @@ template <class Profile>
 void require_substeps_of_profile(const ModelParameters& model) {
   const auto most = static_cast<int>(Profile::kSubsteps);
   if (model.substeps <= most) return;
-  throw BadInput(fmt::format(
-      "substeps is {}, but profile {} computes at most {} a tick: take substeps {}{}, or a larger profile",
-      model.substeps, Profile::kName, most, most, most > 1 ? " or less" : ""));
+  throw BadInput(
+      fmt::format("substeps is {}, but profile {} computes at most {} a tick: take substeps {}{} and what "
+                  "makes that stable "
+                  "(density_kg_m3 up, youngs_modulus_pa or level down), or another profile",
+                  model.substeps, Profile::kName, most, most, most > 1 ? " or less" : ""));
 }
 
 template <class Profile>

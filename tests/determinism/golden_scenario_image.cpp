@@ -11,7 +11,7 @@ namespace golden {
 // 144 leaves at start in Small, 288 in the others.
 constexpr Discretization kDiscretization = std::is_same_v<Profile, Small>
                                                ? Discretization{3, 2, 4, 2, 20, Q<0, 31>::ratio(75, 128), 22}
-                                               : Discretization{4, 3, 6, 3, 20, Q<0, 31>::ratio(25, 48), 19};
+                                               : Discretization{4, 3, 6, 3, 20, Q<0, 31>::ratio(25, 48), 21};
 
 }  // namespace golden
 

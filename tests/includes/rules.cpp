@@ -119,8 +119,11 @@ bool is_bounded(const std::string& head) {
   if (colon == std::string::npos || !starts_with(head, "for (")) return false;
   std::string_view range = std::string_view(head).substr(colon + 3);
   if (starts_with(range, "palpate::")) range.remove_prefix(9);
-  const std::string_view name = range.substr(0, range.find_first_of(".(<"));
-  return starts_with(range, "bounded<") || starts_with(range.substr(name.size()), ".take(");
+  constexpr std::string_view kTake = ".take(";
+  const std::size_t take = range.find(kTake);
+  const bool is_taken =
+      take != std::string_view::npos && range.find_first_of("(<") == take + kTake.size() - 1;
+  return starts_with(range, "bounded<") || is_taken;
 }
 
 }  // namespace

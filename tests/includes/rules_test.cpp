@@ -106,6 +106,7 @@ TEST(LoopRule, AcceptsBoundedRanges) {
   EXPECT_EQ(count("for ([[maybe_unused]] const uint32_t step :\n     bounded<kMax>(count(a), [] {})) f();"),
             0u);
   EXPECT_EQ(count("for (const uint32_t i : leaves.take(begin, count)) f(i);"), 0u);
+  EXPECT_EQ(count("for (const uint32_t i : left.leaves.take(begin, count)) f(i);"), 0u);
   EXPECT_EQ(count("// while (true) for (;;)\n\"do\";"), 0u);
 }
 

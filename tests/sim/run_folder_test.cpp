@@ -109,8 +109,9 @@ TEST(RunFolder, FileAndFlagsAreTheSameKeys) {
 TEST(RunFolder, EveryProfileRuns) {
   const TemporaryFolder folder;
   for (const char* profile : {"cuboid-paper", "cuboid-dense", "organ", "small", "workstation"}) {
-    const Outcome outcome =
-        run_program(folder, std::string("hil grasp --ticks 5 --plots off --out run --profile ") + profile);
+    const Outcome outcome = run_program(
+        folder,
+        std::string("hil grasp --ticks 5 --density-kg-m3 1000 --plots off --out run --profile ") + profile);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(summary_of(folder, "run")["profile"], profile);
   }

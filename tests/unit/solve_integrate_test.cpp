@@ -28,12 +28,11 @@ class Integrate : public testing::TestWithParam<int> {
   }
 
   void run_tick(const HoldMotions& motions, const DrivenNode& driven) {
-    advance(
-        state_->model.dynamics, [&](uint32_t) { push(state_->forest, random_, 0.1); },
-        [&](uint32_t remaining) {
-          integrate_substep(state_->forest, state_->model.dynamics, motions, driven, remaining, state_->solve,
-                            state_->clamps);
-        });
+    const auto forces = [&] { push(state_->forest, random_, 0.1); };
+    advance<SmallProfile::kSubsteps>(state_->model.dynamics, forces, forces, [&](uint32_t remaining) {
+      integrate_substep(state_->forest, state_->model.dynamics, motions, driven, remaining, state_->solve,
+                        state_->clamps);
+    });
   }
 
   [[nodiscard]] uint16_t free_node() const {

@@ -117,8 +117,11 @@ TEST(TickBody, StartRefusesACriterionThatIsNotBuilt) {
 
 TEST(TickBody, StartRefusesMoreSubstepsThanTheProfileHas) {
   auto state = std::make_unique<State<CuboidDense>>();
-  EXPECT_EQ(start(*state, compile_model(coarse_bar(1000.0, 2))), Status::kTooManySubsteps);
-  EXPECT_EQ(start(*state, compile_model(coarse_bar(1000.0, 1))), Status::kDone);
+  sim::ModelParameters parameters = coarse_bar(1000.0, 2);
+  parameters.remesh.rotation = RotationCriterion::kMisfit;
+  EXPECT_EQ(start(*state, compile_model(parameters)), Status::kTooManySubsteps);
+  parameters.substeps = 1;
+  EXPECT_EQ(start(*state, compile_model(parameters)), Status::kDone);
 }
 
 /// Levels that a mesh would change to are the profile's, and the start's is among them.

@@ -25,11 +25,8 @@ PALPATE_ALWAYS_INLINE Fixed with_sign(int32_t mask, Fixed value) {
 
 class Observation {
  public:
-  /// Of A; its last bit is what a leaf's part is rounded to.
-  using Mean = Q<5, 26>;
-
   Observation() {
-    for (const uint32_t i : bounded<9>(9, [] {})) mean_.data()[i] = Mean::from_raw(0);
+    for (const uint32_t i : bounded<9>(9, [] {})) mean_.data()[i] = Strain::from_raw(0);
   }
 
   /// A leaf with h = 2^-size, `depth` levels below the group's tet; `path` as in Leaf. Once in the code for
@@ -39,25 +36,27 @@ class Observation {
     if (depth > 0) misfit_.add(turn_of(leaf, size), path, depth);
   }
 
-  [[nodiscard]] const Matrix3<Mean>& mean() const { return mean_; }
+  [[nodiscard]] const Matrix3<Strain>& mean() const { return mean_; }
   [[nodiscard]] const MisfitSums& misfit() const { return misfit_; }
 
  private:
   void add_gradient(const LeafRows& leaf, int size, uint32_t depth) {
-    const auto weight = Q<1, 30>::from_raw(int32_t{1} << 30 >> depth);
+    // 2^-depth, and for a group of one leaf the largest below 1
+    const uint32_t power = 0x80000000u >> depth;
+    const auto weight = Q<0, 31>::from_raw(static_cast<int32_t>(power - (power >> 31)));
     add_column<0>(leaf, size, weight);
     add_column<1>(leaf, size, weight);
     add_column<2>(leaf, size, weight);
   }
   template <int K>
-  PALPATE_ALWAYS_INLINE void add_column(const LeafRows& leaf, int size, Q<1, 30> weight) {
-    Mean* column = mean_.data() + 3 * leaf.axis[K];
-    const Q<1, 30> signed_weight = with_sign(leaf.minus[K], weight);
+  PALPATE_ALWAYS_INLINE void add_column(const LeafRows& leaf, int size, Q<0, 31> weight) {
+    Strain* column = mean_.data() + 3 * leaf.axis[K];
+    const Q<0, 31> signed_weight = with_sign(leaf.minus[K], weight);
     add_entry(leaf.c[0][K], size, signed_weight, column[leaf.axis[0]]);
     add_entry(leaf.c[1][K], size, signed_weight, column[leaf.axis[1]]);
     add_entry(leaf.c[2][K], size, signed_weight, column[leaf.axis[2]]);
   }
-  PALPATE_ALWAYS_INLINE static void add_entry(Position c, int size, Q<1, 30> weight, Mean& sum) {
+  PALPATE_ALWAYS_INLINE static void add_entry(Position c, int size, Q<0, 31> weight, Strain& sum) {
     using Twice = Q<3, 28>;  // |A| <= 4
     sum = multiply_add_high(Twice::from_raw(c.raw() * (2 << size)), weight, sum);
   }
@@ -79,7 +78,7 @@ class Observation {
     return turn;
   }
 
-  Matrix3<Mean> mean_;
+  Matrix3<Strain> mean_;
   MisfitSums misfit_;
 };
 
