@@ -30,7 +30,7 @@ class Observation {
   }
 
   /// A leaf with h = 2^-size, `depth` levels below the group's tet; `path` as in Leaf. Once in the code for
-  /// leaves of all levels. Some 150 instructions.
+  /// leaves of all levels. Some 185 instructions.
   PALPATE_NOINLINE void add(const LeafRows& leaf, int size, uint32_t path, uint32_t depth) {
     add_gradient(leaf, size, depth);
     if (depth > 0) misfit_.add(turn_of(leaf, size), path, depth);
