@@ -6,7 +6,8 @@
 #include "palpate/tick/hash.hpp"
 #include "palpate/tick/profiles.hpp"
 
-/// `keyword` is extern for the declarations and nothing for the definitions.
+/// `keyword` is extern for the declarations and nothing for the definitions: it can have no parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define PALPATE_STAGES(keyword, Profile)                                                               \
   keyword template Status start(State<Profile>&, const Model&);                                        \
   keyword template void tick_stages::touch(State<Profile>&, const TickInput&);                         \
@@ -20,6 +21,7 @@
   keyword template uint64_t stage_hash(const State<Profile>&, const TickOutput&, CoreStage);           \
   keyword template void firmware::cycle_stages::motor_codes(firmware::CycleState<Profile>&,            \
                                                             safety::Observation&);
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace palpate {
 

@@ -82,11 +82,12 @@ template <class Profile>
 void require_substeps_of_profile(const ModelParameters& model) {
   const auto most = static_cast<int>(Profile::kSubsteps);
   if (model.substeps <= most) return;
+  const char* or_less = most > 1 ? " or less" : "";
   throw BadInput(
       fmt::format("substeps is {}, but profile {} computes at most {} a tick: take substeps {}{} and what "
                   "makes that stable "
                   "(density_kg_m3 up, youngs_modulus_pa or level down), or another profile",
-                  model.substeps, Profile::kName, most, most, most > 1 ? " or less" : ""));
+                  model.substeps, Profile::kName, most, most, or_less));
 }
 
 template <class Profile>

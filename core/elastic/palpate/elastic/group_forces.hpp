@@ -27,7 +27,7 @@ inline constexpr int kPositionBits = 30;
 
 /// An entry of 1 becomes the largest one below it; what `clamped` knew is forgotten.
 inline Matrix3<FrameEntry> frame_of(const Quaternion& q, ClampFlag& clamped) {
-  const Matrix3<FrameEntry> frame(rotation_matrix(q).unaryExpr(
+  Matrix3<FrameEntry> frame(rotation_matrix(q).unaryExpr(
       [&clamped](RotationEntry entry) { return FrameEntry::from_raw(2 * clamped.clamp<31>(entry).raw()); }));
   (void)clamped.take();
   return frame;

@@ -50,7 +50,7 @@ class Observation {
   }
   template <int K>
   PALPATE_ALWAYS_INLINE void add_column(const LeafRows& leaf, int size, Q<0, 31> weight) {
-    Strain* column = mean_.data() + 3 * leaf.axis[K];
+    Strain* column = mean_.data() + std::size_t{3} * leaf.axis[K];
     const Q<0, 31> signed_weight = with_sign(leaf.minus[K], weight);
     add_entry(leaf.c[0][K], size, signed_weight, column[leaf.axis[0]]);
     add_entry(leaf.c[1][K], size, signed_weight, column[leaf.axis[1]]);
