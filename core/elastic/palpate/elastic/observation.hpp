@@ -64,8 +64,7 @@ class Observation {
   /// (A32 - A23, A13 - A31, A21 - A12). Of rows j < k the third axis has a minus where j, k and it are in
   /// order.
   static Vector3<Strain> turn_of(const LeafRows& leaf, int size) {
-    const bool is_even = leaf.axis[0] + 1 == leaf.axis[1] || leaf.axis[0] == leaf.axis[1] + 2;
-    const int32_t in_order = is_even ? -1 : 0;
+    const int32_t in_order = is_even_order(leaf.axis[0], leaf.axis[1]) ? -1 : 0;
     Vector3<Strain> turn;
     const auto set = [&](uint32_t j, uint32_t k, uint32_t third, int32_t sign) {
       const Position other = with_sign(leaf.minus[j] ^ leaf.minus[k], leaf.c[k][j]);

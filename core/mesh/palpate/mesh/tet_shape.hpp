@@ -30,6 +30,11 @@ struct EdgeOthers {
 };
 constexpr EdgeOthers others(uint32_t end) { return EdgeOthers{end == 1 ? 2u : 1u, end == 3 ? 2u : 3u}; }
 
+/// Whether x, y and z in an order that begins with these two are an even permutation.
+constexpr bool is_even_order(uint32_t first, uint32_t second) {
+  return first + 1 == second || first == second + 2;
+}
+
 /// Signed axes of g1, g2, g3 at rest: three bits each, axis in the low two and sign in the third.
 class Axes {
  public:

@@ -21,7 +21,7 @@ using FaceNodes = std::array<uint16_t, 3>;
 
 /// Whether g1, g2, g3 of a leaf are a left-handed system at rest.
 inline bool is_mirrored(Axes axes) {
-  const bool odd = (axes.axis(0) + 1) % 3 != axes.axis(1);
+  const bool odd = !is_even_order(axes.axis(0), axes.axis(1));
   return (odd != axes.is_negative(0)) != (axes.is_negative(1) != axes.is_negative(2));
 }
 
