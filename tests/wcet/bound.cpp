@@ -2,13 +2,21 @@
 
 #include <algorithm>
 
+#include "alignment.hpp"
 #include "block_times.hpp"
 #include "certificate.hpp"
 
 namespace palpate::wcet {
 
-BoundAnalysis::BoundAnalysis(const Program& program, const CallGraph& calls, const CostModel& model)
-    : program_(program), calls_(calls), model_(model) {
+BoundAnalysis::BoundAnalysis(const Program& program, const CallGraph& calls, const CostModel& model,
+                             const std::map<uint32_t, uint32_t>& limits)
+    : program_(program), calls_(calls), model_(model), facts_(program.facts().loops()) {
+  for (LoopFact& fact : facts_) {
+    const auto limit = limits.find(fact.body);
+    if (limit != limits.end()) fact.bound = limit->second;
+  }
+  refuse_unaligned(program, calls);
+  refuse_polling(program, calls, model.devices);
   for (size_t i = 0; i < calls.functions().size(); ++i) analyse(i);
 }
 
@@ -81,7 +89,7 @@ void BoundAnalysis::splice(const Network& callee, const Arc& call, Network& netw
 
 void BoundAnalysis::take_facts(FunctionBound& result, bool is_root) const {
   std::vector<LoopFact> open;
-  for (const LoopFact& fact : facts_within(result.network, program_.facts().loops())) {
+  for (const LoopFact& fact : facts_within(result.network, facts_)) {
     (find_body_without_entry(result.network, fact) ? open : result.facts).push_back(fact);
   }
   result.is_open = !open.empty() && !is_root;

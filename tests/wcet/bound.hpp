@@ -3,6 +3,7 @@
 // of its own: its network becomes a part of its callers'.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "call_graph.hpp"
@@ -21,8 +22,10 @@ struct FunctionBound {
 
 class BoundAnalysis {
  public:
-  /// Throws Refusal where there is no bound.
-  BoundAnalysis(const Program& program, const CallGraph& calls, const CostModel& model);
+  /// Throws Refusal where there is no bound. `limits`, by body: what the program's facts are taken to be
+  /// instead, for the question what other capacities would cost.
+  BoundAnalysis(const Program& program, const CallGraph& calls, const CostModel& model,
+                const std::map<uint32_t, uint32_t>& limits = {});
 
   /// In the call graph's order; the root is the last.
   [[nodiscard]] const std::vector<FunctionBound>& functions() const { return functions_; }
@@ -42,6 +45,7 @@ class BoundAnalysis {
   const Program& program_;
   const CallGraph& calls_;
   const CostModel& model_;
+  std::vector<LoopFact> facts_;
   std::vector<FunctionBound> functions_;
 };
 

@@ -16,11 +16,14 @@ bool is_library_helper(const std::string& name) {
 
 }  // namespace
 
-CallGraph::CallGraph(const Program& program, uint32_t root) : program_(program) { visit(root); }
+CallGraph::CallGraph(const Program& program, uint32_t root, Purpose purpose)
+    : program_(program), purpose_(purpose) {
+  visit(root);
+}
 
 void CallGraph::visit(uint32_t entry) {
   open_.insert(entry);
-  FunctionGraph graph = build_graph(program_, entry, [this](uint32_t callee) {
+  FunctionGraph graph = build_graph(program_, entry, purpose_, [this](uint32_t callee) {
     const bool comes_back = returns(callee);
     if (!comes_back) path_ends_.insert(callee);
     return comes_back;
@@ -43,7 +46,8 @@ void CallGraph::visit_callee(const Block& block, uint32_t callee) {
   if (symbol == program_.image().functions().end())
     refuse(fmt::format("calls {:#x}, no function's start", callee));
   const std::string& name = symbol->second.name;
-  if (is_library_helper(name)) refuse("calls " + name + ", library code without a bound");
+  if (purpose_ == Purpose::kTime && is_library_helper(name))
+    refuse("calls " + name + ", library code without a bound");
   if (open_.count(callee) != 0) refuse("recursion: calls " + name + ", which leads here");
   if (indices_.count(callee) == 0) visit(callee);
 }
@@ -66,7 +70,7 @@ bool CallGraph::can_return(uint32_t entry) {
     open.pop_back();
     if (at == nullptr) return true;
     try {
-      if (add_next(successors_of(program_, entry, *at, {}), *at, seen, open)) return true;
+      if (add_next(successors_of(program_, entry, *at, purpose_, {}), *at, seen, open)) return true;
     } catch (const Refusal&) {
       return true;
     }

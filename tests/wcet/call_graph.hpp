@@ -12,7 +12,7 @@ namespace palpate::wcet {
 class CallGraph {
  public:
   /// Throws Refusal: recursion, library code without facts, and what can't be followed.
-  CallGraph(const Program& program, uint32_t root);
+  CallGraph(const Program& program, uint32_t root, Purpose purpose = Purpose::kTime);
 
   /// The root is the last.
   [[nodiscard]] const std::vector<FunctionGraph>& functions() const { return functions_; }
@@ -29,6 +29,7 @@ class CallGraph {
                 std::vector<uint32_t>& open);
 
   const Program& program_;
+  Purpose purpose_;
   std::vector<FunctionGraph> functions_;
   std::map<uint32_t, size_t> indices_;
   std::set<uint32_t> open_;             // being visited: callers of what is visited now

@@ -8,8 +8,9 @@ namespace {
 
 class GraphBuilder {
  public:
-  GraphBuilder(const Program& program, uint32_t entry, const std::function<bool(uint32_t)>& returns)
-      : program_(program), entry_(entry), returns_(returns) {}
+  GraphBuilder(const Program& program, uint32_t entry, Purpose purpose,
+               const std::function<bool(uint32_t)>& returns)
+      : program_(program), entry_(entry), purpose_(purpose), returns_(returns) {}
 
   FunctionGraph run() {
     find_leaders();
@@ -40,7 +41,7 @@ class GraphBuilder {
       while (true) {
         const Instruction& at = fetch(address);
         add_mark(at, marked);
-        const Successors next = successors_of(program_, entry_, at, marked);
+        const Successors next = successors_of(program_, entry_, at, purpose_, marked);
         for (const uint32_t target : next.taken) {
           if (leaders_.insert(target).second) open.push_back(target);
         }
@@ -91,7 +92,7 @@ class GraphBuilder {
       address = at.next();
       if (ends_block(at) || leaders_.count(address) != 0) break;
     }
-    add_edges(block, successors_of(program_, entry_, block.last(), marked));
+    add_edges(block, successors_of(program_, entry_, block.last(), purpose_, marked));
     return block;
   }
 
@@ -117,6 +118,7 @@ class GraphBuilder {
 
   const Program& program_;
   uint32_t entry_;
+  Purpose purpose_;
   const std::function<bool(uint32_t)>& returns_;
   std::set<uint32_t> leaders_;
   std::map<uint32_t, size_t> indices_;
@@ -125,9 +127,9 @@ class GraphBuilder {
 
 }  // namespace
 
-FunctionGraph build_graph(const Program& program, uint32_t entry,
+FunctionGraph build_graph(const Program& program, uint32_t entry, Purpose purpose,
                           const std::function<bool(uint32_t)>& returns) {
-  return GraphBuilder(program, entry, returns).run();
+  return GraphBuilder(program, entry, purpose, returns).run();
 }
 
 }  // namespace palpate::wcet

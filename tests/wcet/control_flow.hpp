@@ -34,8 +34,11 @@ struct FunctionGraph {
   std::vector<Block> blocks;  // the first is the entry
 };
 
+/// What is asked of a graph. For the stack, what waits goes on, and library code is code like any other.
+enum class Purpose : uint8_t { kTime, kStack };
+
 /// Throws Refusal where the flow can't be followed. `returns` says whether a callee ever comes back.
-FunctionGraph build_graph(const Program& program, uint32_t entry,
+FunctionGraph build_graph(const Program& program, uint32_t entry, Purpose purpose,
                           const std::function<bool(uint32_t)>& returns);
 
 /// The addresses that an instruction may continue at within its function, and those that it calls.
@@ -48,7 +51,7 @@ struct Successors {
 
 /// `entry`: of the function; a jump to another function's start is a tail call. Indirect targets are those of
 /// `marked`. Throws Refusal.
-Successors successors_of(const Program& program, uint32_t entry, const Instruction& at,
+Successors successors_of(const Program& program, uint32_t entry, const Instruction& at, Purpose purpose,
                          const std::vector<uint32_t>& marked);
 
 }  // namespace palpate::wcet

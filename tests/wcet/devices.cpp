@@ -1,90 +1,103 @@
 #include "devices.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 
-#include "refusal.hpp"
+#include "call_graph.hpp"
 #include "register_values.hpp"
 
 namespace palpate::wcet {
 namespace {
-
-DeviceRange read_range(const toml::node& node, const std::string& path) {
-  const toml::table table = node.is_table() ? *node.as_table() : toml::table();
-  const auto number = [&](const char* key) { return table[key].value_or(int64_t{-1}); };
-  DeviceRange range;
-  range.name = table["name"].value_or(std::string());
-  range.first = static_cast<uint32_t>(number("first"));
-  range.last = static_cast<uint32_t>(number("last"));
-  range.cycles = number("cycles");
-  const bool is_whole = !range.name.empty() && number("first") >= 0 && number("last") >= number("first") &&
-                        range.cycles >= 0 && !table["source"].value_or(std::string()).empty();
-  if (!is_whole) throw BadInput(path + " has a range without name, first, last, cycles or source");
-  return range;
-}
 
 bool is_port(const Devices& devices, const std::string& function) {
   return std::any_of(devices.ports.begin(), devices.ports.end(),
                      [&](const std::string& part) { return function.find(part) != std::string::npos; });
 }
 
-// The costliest range that a port can mean where it does not say which.
-Cycles worst_named(const std::vector<DeviceRange>& ranges, const FunctionGraph& graph) {
-  Cycles worst = 0;
+// The costliest range that a port can mean where it does not say which; nothing where it names none.
+std::optional<Cycles> worst_named(const std::vector<DeviceRange>& ranges, const FunctionGraph& graph) {
+  std::optional<Cycles> worst;
   for (const Block& block : graph.blocks) {
     RegisterValues values;
     for (const Instruction* instruction : block.code) {
       values.execute(*instruction);
       for (const DeviceRange& range : ranges) {
-        if (values.hold_constant_within(range.first, range.last)) worst = std::max(worst, range.cycles);
+        if (values.hold_constant_within(range.first, range.last))
+          worst = std::max(worst.value_or(0), range.cycles);
       }
     }
   }
   return worst;
 }
 
-Cycles access_cycles(const std::vector<DeviceRange>& ranges, Cycles unknown, const RegisterValues& values,
-                     const Instruction& access) {
-  if (access.memory->base == kSp || access.memory->base == kPc) return 0;
-  const std::optional<AddressRange> where = values.range_of(access);
+// Nothing where it accesses no device.
+std::optional<Cycles> access_cycles(const std::vector<DeviceRange>& ranges, std::optional<Cycles> unknown,
+                                    const RegisterValues& values, const Instruction& at) {
+  if (!at.memory || at.memory->base == kSp || at.memory->base == kPc) return std::nullopt;
+  const std::optional<AddressRange> where = values.range_of(at);
   if (!where || where->symbol != 0) return unknown;
   const auto found = std::find_if(ranges.begin(), ranges.end(),
                                   [&](const DeviceRange& range) { return range.holds(where->offset); });
-  return found == ranges.end() ? 0 : found->cycles;
+  return found == ranges.end() ? std::nullopt : std::optional<Cycles>(found->cycles);
+}
+
+struct DeviceAccess {
+  const Instruction* at;
+  Cycles cycles;
+};
+
+// By block.
+std::vector<std::vector<DeviceAccess>> find_accesses(const Devices& devices, const FunctionGraph& graph) {
+  std::optional<Cycles> unknown;
+  if (is_port(devices, graph.name)) unknown = worst_named(devices.ranges, graph);
+  std::vector<std::vector<DeviceAccess>> accesses(graph.blocks.size());
+  for (size_t i = 0; i < graph.blocks.size(); ++i) {
+    RegisterValues values;
+    for (const Instruction* instruction : graph.blocks[i].code) {
+      const std::optional<Cycles> cycles = access_cycles(devices.ranges, unknown, values, *instruction);
+      if (cycles) accesses[i].push_back({instruction, *cycles});
+      values.execute(*instruction);
+    }
+  }
+  return accesses;
+}
+
+bool is_in_loop(const FunctionGraph& graph, size_t block) {
+  std::vector<bool> seen(graph.blocks.size(), false);
+  std::vector<size_t> open{block};
+  while (!open.empty()) {
+    const size_t at = open.back();
+    open.pop_back();
+    for (const Edge& edge : graph.blocks[at].edges) {
+      if (edge.to == block) return true;
+      if (edge.to == kReturns || edge.to == kEnds || seen[edge.to]) continue;
+      seen[edge.to] = true;
+      open.push_back(edge.to);
+    }
+  }
+  return false;
 }
 
 }  // namespace
 
-Devices read_devices(const std::string& path) {
-  try {
-    const toml::table file = toml::parse_file(path);
-    Devices devices;
-    if (const toml::array* names = file["ports"].as_array()) {
-      for (const toml::node& name : *names) devices.ports.push_back(name.value_or(std::string()));
-    }
-    const toml::array* list = file["range"].as_array();
-    if (list == nullptr || devices.ports.empty()) throw BadInput(path + " has no ranges or no ports");
-    for (const toml::node& node : *list) devices.ranges.push_back(read_range(node, path));
-    return devices;
-  } catch (const toml::parse_error& error) {
-    throw BadInput(path + " has no device ranges: " + std::string(error.description()));
-  }
-}
-
 std::vector<Cycles> device_cycles(const Devices& devices, const FunctionGraph& graph) {
-  const Cycles unknown = is_port(devices, graph.name) ? worst_named(devices.ranges, graph) : 0;
   std::vector<Cycles> cycles;
-  for (const Block& block : graph.blocks) {
-    RegisterValues values;
-    Cycles sum = 0;
-    for (const Instruction* instruction : block.code) {
-      if (instruction->memory) sum += access_cycles(devices.ranges, unknown, values, *instruction);
-      values.execute(*instruction);
-    }
-    cycles.push_back(sum);
+  for (const std::vector<DeviceAccess>& accesses : find_accesses(devices, graph)) {
+    cycles.push_back(0);
+    for (const DeviceAccess& access : accesses) cycles.back() += access.cycles;
   }
   return cycles;
+}
+
+void refuse_polling(const Program& program, const CallGraph& calls, const Devices& devices) {
+  for (const FunctionGraph& graph : calls.functions()) {
+    const std::vector<std::vector<DeviceAccess>> accesses = find_accesses(devices, graph);
+    for (size_t i = 0; i < accesses.size(); ++i) {
+      const auto read = std::find_if(accesses[i].begin(), accesses[i].end(),
+                                     [](const DeviceAccess& access) { return !access.at->memory->is_store; });
+      if (read != accesses[i].end() && is_in_loop(graph, i))
+        throw Refusal(program.place(read->at->address), "polls a device register, " + read->at->text);
+    }
+  }
 }
 
 }  // namespace palpate::wcet

@@ -13,6 +13,8 @@
 
 namespace palpate::wcet {
 
+class CallGraph;
+
 struct DeviceRange {
   std::string name;
   uint32_t first = 0;
@@ -22,9 +24,17 @@ struct DeviceRange {
   [[nodiscard]] bool holds(int64_t address) const { return first <= address && address <= last; }
 };
 
+/// What a port's header allows one call to do, and where this board's registers for it are.
+struct PortContract {
+  std::string function;
+  uint32_t accesses = 0;  // at most
+  Cycles cycles = 0;      // more, for each of them
+};
+
 struct Devices {
   std::vector<DeviceRange> ranges;
   std::vector<std::string> ports;  // parts of the names of functions
+  std::vector<PortContract> contracts;
 };
 
 /// Throws BadInput.
@@ -32,5 +42,8 @@ Devices read_devices(const std::string& path);
 
 /// By block.
 std::vector<Cycles> device_cycles(const Devices& devices, const FunctionGraph& graph);
+
+/// A loop that reads a device register waits for a device, whatever its flow fact says. Throws Refusal.
+void refuse_polling(const Program& program, const CallGraph& calls, const Devices& devices);
 
 }  // namespace palpate::wcet

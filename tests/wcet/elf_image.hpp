@@ -31,6 +31,7 @@ struct FunctionSymbol {
 
 struct Symbol {
   std::string name;
+  uint32_t address = 0;
   bool is_undefined = false;
 };
 

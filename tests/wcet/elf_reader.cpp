@@ -75,9 +75,9 @@ void ElfReader::read_symbols(Elf_Scn* section, const GElf_Shdr& header) {
     const char* text = elf_strptr(elf_, header.sh_link, symbol.st_name);
     if (text == nullptr) continue;
     const std::string name = text;
-    image_.symbols_.push_back({name, symbol.st_shndx == SHN_UNDEF});
-    if (symbol.st_shndx == SHN_UNDEF) continue;
     const auto address = static_cast<uint32_t>(symbol.st_value);
+    image_.symbols_.push_back({name, address, symbol.st_shndx == SHN_UNDEF});
+    if (symbol.st_shndx == SHN_UNDEF) continue;
     if (name.rfind("$t", 0) == 0) image_.stretches_[address] = true;
     if (name.rfind("$d", 0) == 0 || name.rfind("$a", 0) == 0) image_.stretches_.emplace(address, false);
     if (GELF_ST_TYPE(symbol.st_info) == STT_FUNC) add_function(symbol, name);

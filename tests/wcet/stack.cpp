@@ -87,4 +87,16 @@ std::vector<StackUse> measure_stack(const Program& program, const CallGraph& cal
   return uses;
 }
 
+InterruptedStack measure_interrupted_stack(const Program& program, const std::string& background,
+                                           const std::string& interrupt) {
+  // Eight words, and one to bring the stack to a multiple of eight bytes. Without floating point there is no
+  // more.
+  constexpr uint32_t kFrameBytes = 9 * 4;
+  const auto deepest = [&](const std::string& root) {
+    const uint32_t entry = program.image().find_function(root).start;
+    return measure_stack(program, CallGraph(program, entry, Purpose::kStack)).back().deepest_bytes;
+  };
+  return {deepest(background), kFrameBytes, deepest(interrupt)};
+}
+
 }  // namespace palpate::wcet

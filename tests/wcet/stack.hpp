@@ -17,4 +17,17 @@ struct StackUse {
 /// differs between ways to one place.
 std::vector<StackUse> measure_stack(const Program& program, const CallGraph& calls);
 
+/// The stack of a program whose interrupt comes on top of its background, wherever that is.
+struct InterruptedStack {
+  uint32_t background = 0;
+  uint32_t frame = 0;  // what the processor keeps of the background (Armv7-M, B1.5.7)
+  uint32_t interrupt = 0;
+
+  [[nodiscard]] uint32_t bytes() const { return background + frame + interrupt; }
+};
+
+/// Throws Refusal, and BadInput where a function is not there.
+InterruptedStack measure_interrupted_stack(const Program& program, const std::string& background,
+                                           const std::string& interrupt);
+
 }  // namespace palpate::wcet

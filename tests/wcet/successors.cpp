@@ -69,18 +69,19 @@ const std::vector<uint32_t>& listed_targets(const Program& program, const Instru
   throw Refusal(program.place(at.address), "an indirect call or jump without listed targets");
 }
 
-void refuse_what_has_no_time(const Program& program, const Instruction& at) {
+void refuse_what_has_no_bound(const Program& program, const Instruction& at, Purpose purpose) {
   const auto refuse = [&](const std::string& why) { throw Refusal(program.place(at.address), why); };
   if (at.flow == Flow::kUndecodable) refuse("code that can't be decoded");
   if (at.flow == Flow::kFloat) refuse("a floating-point instruction, " + at.text);
-  if (at.flow == Flow::kWait) refuse("waits for something outside of the program, " + at.text);
+  if (at.flow == Flow::kWait && purpose == Purpose::kTime)
+    refuse("waits for something outside of the program, " + at.text);
 }
 
 }  // namespace
 
-Successors successors_of(const Program& program, uint32_t entry, const Instruction& at,
+Successors successors_of(const Program& program, uint32_t entry, const Instruction& at, Purpose purpose,
                          const std::vector<uint32_t>& marked) {
-  refuse_what_has_no_time(program, at);
+  refuse_what_has_no_bound(program, at, purpose);
   Successors next;
   next.goes_on = at.is_conditional;
   switch (at.flow) {

@@ -165,5 +165,19 @@ TEST(Stack, OfFramesAndChains) {
   EXPECT_EQ(stack.back().deepest_bytes, 40u);
 }
 
+// The interrupt may come where the background is deepest; the processor keeps nine words at most.
+TEST(Stack, OfAnInterruptOnTopOfTheBackground) {
+  const TargetProgram target(
+      std::string(kShorthands) +
+      "ASSEMBLER void memcpy() { asm volatile(\"push {r4, r5, r6, lr}\\n\\tpop {r4, r5, r6, pc}\"); }\n"
+      "ASSEMBLER void background() { asm volatile(\"push {r4, lr}\\n\\tbl memcpy\\n1: wfi\\n\\tb 1b\"); }\n"
+      "ASSEMBLER void handler() { asm volatile(\"push {r4, r5, lr}\\n\\tpop {r4, r5, pc}\"); }");
+  const InterruptedStack stack = measure_interrupted_stack(target.program(), "background", "handler");
+  EXPECT_EQ(stack.background, 8u + 16u);
+  EXPECT_EQ(stack.frame, 36u);
+  EXPECT_EQ(stack.interrupt, 12u);
+  EXPECT_EQ(stack.bytes(), 72u);
+}
+
 }  // namespace
 }  // namespace palpate::wcet::test

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "../call_graph.hpp"
+#include "../bound.hpp"
 #include "../refusal.hpp"
 #include "cross_compiler.hpp"
 
@@ -17,7 +17,7 @@ Cycles device_cycles_of(const std::string& code, const std::string& port = "root
                              "\\n bx lr\"); }");
   const CallGraph calls(target.program(), target.entry_of("root"));
   const std::vector<Cycles> cycles =
-      device_cycles({{{"timer", 0x40000000, 0x40000fff, 7}}, {port}}, calls.functions().back());
+      device_cycles({{{"timer", 0x40000000, 0x40000fff, 7}}, {port}, {}}, calls.functions().back());
   return std::accumulate(cycles.begin(), cycles.end(), Cycles{0});
 }
 
@@ -42,13 +42,46 @@ TEST(Devices, OnlyPortsMeanThemUnsaid) {
   EXPECT_EQ(device_cycles_of(code, "palpate::port::"), 7);
 }
 
+// Polls until a bit of the register is set, or for a bounded number of times.
+std::string refusal_of_polling(const std::string& loop, uint32_t first = 0x40000000) {
+  const TargetProgram target(
+      std::string(kShorthands) + kBoundedLoops +
+      "inline volatile uint32_t& status() { return *reinterpret_cast<volatile uint32_t*>"
+      "(0x40000010); }\n"
+      "CASE void root() { " +
+      loop + " }");
+  const CallGraph calls(target.program(), target.entry_of("root"));
+  CostModel model = read_cost_model("m4");
+  model.devices = {{{"timer", first, first + 0xfff, 7}}, {"root"}, {}};
+  try {
+    const BoundAnalysis bounds(target.program(), calls, model);
+  } catch (const Refusal& refusal) {
+    return refusal.what();
+  }
+  return "";
+}
+
+TEST(Devices, RefusesPolling) {
+  const std::string until_ready = "while ((status() & 1) == 0) {}";
+  const std::string some_times = "for (const uint32_t i : bounded<9>(9, [] {})) { if (status() > i) break; }";
+  const std::string writes = "for (const uint32_t i : bounded<9>(9, [] {})) status() = i;";
+  EXPECT_NE(refusal_of_polling(until_ready).find("root at 0x"), std::string::npos);
+  EXPECT_NE(refusal_of_polling(until_ready).find("polls a device register, ldr"), std::string::npos);
+  EXPECT_NE(refusal_of_polling(some_times).find("polls a device register, ldr"), std::string::npos);
+  EXPECT_EQ(refusal_of_polling(some_times, 0x50000000), "") << "memory may be read in a loop";
+  EXPECT_EQ(refusal_of_polling(writes), "");
+  EXPECT_EQ(refusal_of_polling("if (status() > 3) status() = 0;"), "");
+}
+
 TEST(Devices, SaysWhatIsWrong) {
   const palpate::test::TemporaryFolder folder;
   const std::string path = folder / "devices.toml";
   for (const char* text :
        {"no ranges", "ports = ['port']",
         "ports = ['port']\n[[range]]\nname = 'timer'\nfirst = 5\nlast = 4\ncycles = 1\nsource = 'x'",
-        "ports = ['port']\n[[range]]\nname = 'timer'\nfirst = 5\nlast = 6\ncycles = 1"}) {
+        "ports = ['port']\n[[range]]\nname = 'timer'\nfirst = 5\nlast = 6\ncycles = 1",
+        "ports = ['port']\n[[range]]\nname = 'timer'\nfirst = 5\nlast = 6\ncycles = 1\nsource = 'x'\n"
+        "[[port]]\nname = 'port::read'\naccesses = 1\nrange = 'clock'"}) {
     std::ofstream(path) << text;
     EXPECT_THROW(read_devices(path), BadInput) << text;
   }

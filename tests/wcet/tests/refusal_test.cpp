@@ -200,6 +200,27 @@ TEST(Refusal, FactWithoutItsNop) {
   EXPECT_NE(refusal.find("not at a nop"), std::string::npos) << refusal;
 }
 
+TEST(Refusal, UnalignedAccess) {
+  expect_refusal("ASSEMBLER void root() { asm volatile(\"movw r3, #0x2001\\n\\tldr r0, [r3]\\n\\tbx lr\"); }",
+                 "an unaligned access, ldr r0, [r3]");
+  expect_refusal(
+      "ASSEMBLER void root() { asm volatile(\"movs r3, #0\\n\\tmovt r3, #0x2000\\n\\tldrh r0, [r3, "
+      "#3]\\n\\tbx "
+      "lr\"); }",
+      "an unaligned access, ldrh.w r0, [r3, #3]");
+  expect_refusal("ASSEMBLER void root() { asm volatile(\"ldr.w r0, [sp, #2]\\n\\tbx lr\"); }",
+                 "an unaligned access, ldr.w r0, [sp, #2]");
+}
+
+TEST(Refusal, UnalignedAccessesAllowedByTheCompiler) {
+  const std::string source =
+      "struct __attribute__((packed)) Odd { char before; uint32_t value; };\n"
+      "CASE uint32_t root(const Odd& odd) { return odd.value; }";
+  EXPECT_EQ(refusal_of(source), "");
+  const std::string refusal = refusal_of(source, "-O2 -munaligned-access");
+  EXPECT_NE(refusal.find("compiled with unaligned accesses allowed"), std::string::npos) << refusal;
+}
+
 TEST(Refusal, WaitingForAnInterrupt) {
   expect_refusal("ASSEMBLER void root() { asm volatile(\"wfi\\n\\tbx lr\"); }",
                  "waits for something outside");
