@@ -104,7 +104,9 @@ class GraphBuilder {
     }
     for (const uint32_t callee : next.callees) {
       if (!returns_(callee)) {
-        block.edges.push_back({kEnds, is_jump, std::nullopt});
+        // What never comes back takes no time of this path, but stack.
+        const auto below = purpose_ == Purpose::kStack ? std::optional<uint32_t>(callee) : std::nullopt;
+        block.edges.push_back({kEnds, is_jump, below});
       } else {
         block.edges.push_back({next.returns ? kReturns : index_of(at.next()), is_jump, callee});
       }

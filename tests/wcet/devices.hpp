@@ -1,8 +1,9 @@
 // Accesses to device registers, which take longer than those to memory.
 //
-// Where a block shows the address of an access, that decides. The contract for the rest: only ports access
-// registers, and a port's function holds the address, or one near it, as a constant. Then every access of
-// that function whose address is not shown may be one. Stack and literals are none.
+// Where the code shows the address of an access, or of the object that an index goes into, that decides. The
+// contract for the rest: only ports access registers, and a port's function holds the address, or one near
+// it, as a constant. Then every access of that function whose address is not shown may be one. Stack and
+// literals are none, and what a function is handed is no register's address.
 #pragma once
 
 #include <string>

@@ -9,16 +9,45 @@ RegisterValues::RegisterValues() : values_{}, symbols_(0) {
 }
 
 std::optional<AddressRange> RegisterValues::range_of(const Instruction& instruction) const {
-  const std::optional<MemoryAccess>& memory = instruction.memory;
-  if (!memory || memory->has_index) return std::nullopt;
-  const Value& base = values_[memory->base];
-  return AddressRange{base.symbol, base.offset + memory->offset, memory->bytes};
+  if (!instruction.memory || instruction.memory->has_index) return std::nullopt;
+  return base_of(instruction);
+}
+
+AddressRange RegisterValues::base_of(const Instruction& instruction) const {
+  const MemoryAccess& memory = *instruction.memory;
+  const Value& base = values_[memory.base];
+  return {base.symbol, base.offset + memory.offset, memory.bytes};
 }
 
 bool RegisterValues::hold_constant_within(uint32_t first, uint32_t last) const {
   return std::any_of(values_.begin(), values_.end(), [&](const Value& value) {
     return value.symbol == 0 && first <= value.offset && value.offset <= last;
   });
+}
+
+RegisterValues RegisterValues::known_part() const {
+  RegisterValues known = *this;
+  for (Value& value : known.values_) {
+    if (!value.is_known()) value = {++known.symbols_, 0};
+  }
+  return known;
+}
+
+bool RegisterValues::join(const RegisterValues& other) {
+  bool changed = false;
+  for (size_t i = 0; i < values_.size(); ++i) {
+    const bool is_same =
+        values_[i].symbol == other.values_[i].symbol && values_[i].offset == other.values_[i].offset;
+    if (!values_[i].is_known() || is_same) continue;
+    values_[i] = {++symbols_, 0};
+    changed = true;
+  }
+  return changed;
+}
+
+void RegisterValues::forget_scratch() {
+  for (const uint8_t i : {uint8_t{0}, uint8_t{1}, uint8_t{2}, uint8_t{3}, uint8_t{12}, kLr})
+    values_[i] = {++symbols_, 0};
 }
 
 void RegisterValues::execute(const Instruction& instruction) {

@@ -54,6 +54,15 @@ std::vector<uint32_t> word_table_targets(const Program& program, const Instructi
   return targets;
 }
 
+// "ldr pc, [pc, #offset]", as the linker's veneers have it: to the address among the code.
+std::optional<uint32_t> literal_target(const Program& program, const Instruction& at) {
+  if (!at.memory || at.memory->base != kPc || at.memory->has_index) return std::nullopt;
+  const uint32_t place = ((at.address + 4) & ~3u) + static_cast<uint32_t>(at.memory->offset);
+  const std::optional<uint32_t> word = program.image().read(place, 4);
+  const bool is_target = word && (*word & 1) != 0 && !program.image().is_code(place);
+  return is_target ? std::optional<uint32_t>(*word & ~1u) : std::nullopt;
+}
+
 void add_jump(const Program& program, uint32_t entry, uint32_t target, Successors& next) {
   if (target != entry && program.image().functions().count(target) != 0) {
     next.callees.push_back(target);
@@ -97,6 +106,10 @@ Successors successors_of(const Program& program, uint32_t entry, const Instructi
       next.goes_on = true;
       break;
     case Flow::kIndirectJump:
+      if (const std::optional<uint32_t> target = literal_target(program, at)) {
+        add_jump(program, entry, *target, next);
+        break;
+      }
       next.taken = word_table_targets(program, at);
       if (!next.taken.empty()) break;
       next.callees = listed_targets(program, at, marked);

@@ -65,6 +65,15 @@ TEST(Bound, TableOfAddresses) {
   EXPECT_EQ(bound_of(assembler(code)), 5);
 }
 
+// As a linker reaches far code.
+TEST(Bound, Veneer) {
+  const std::string source =
+      "ASSEMBLER void target() { asm volatile(\"nop\\n\\tbx lr\"); }\n"
+      "ASSEMBLER void veneer() { asm volatile(\"ldr.w pc, [pc, #0]\\n\\t.word target\"); }\n"
+      "ASSEMBLER void root() { asm volatile(\"push {r4, lr}\\n\\tbl veneer\\n\\tpop {r4, pc}\"); }";
+  EXPECT_EQ(bound_of(source), 3 + 1 + 2);
+}
+
 // Entry, 3 instructions a round, and what is around it.
 TEST(Bound, LoopWithAFact) {
   const std::string code =
@@ -170,13 +179,14 @@ TEST(Stack, OfAnInterruptOnTopOfTheBackground) {
   const TargetProgram target(
       std::string(kShorthands) +
       "ASSEMBLER void memcpy() { asm volatile(\"push {r4, r5, r6, lr}\\n\\tpop {r4, r5, r6, pc}\"); }\n"
-      "ASSEMBLER void background() { asm volatile(\"push {r4, lr}\\n\\tbl memcpy\\n1: wfi\\n\\tb 1b\"); }\n"
+      "ASSEMBLER void background() { asm volatile(\"push {r4, lr}\\n\\tbl memcpy\\n\\tbl wait\"); }\n"
+      "ASSEMBLER void wait() { asm volatile(\"push {r4, r5, r6, r7, r8, lr}\\n1: wfi\\n\\tb 1b\"); }\n"
       "ASSEMBLER void handler() { asm volatile(\"push {r4, r5, lr}\\n\\tpop {r4, r5, pc}\"); }");
   const InterruptedStack stack = measure_interrupted_stack(target.program(), "background", "handler");
-  EXPECT_EQ(stack.background, 8u + 16u);
+  EXPECT_EQ(stack.background, 8u + 24u) << "also of what never comes back";
   EXPECT_EQ(stack.frame, 36u);
   EXPECT_EQ(stack.interrupt, 12u);
-  EXPECT_EQ(stack.bytes(), 72u);
+  EXPECT_EQ(stack.bytes(), 80u);
 }
 
 }  // namespace

@@ -32,12 +32,28 @@ TEST(Devices, AccessesByConstantAddress) {
 
 TEST(Devices, AccessesThatMayBeOne) {
   EXPECT_EQ(device_cycles_of("ldr r0, [r3, #4]"), 0) << "it names no register";
-  EXPECT_EQ(device_cycles_of("mov r3, #0x40000000\\n cbz r0, 1f\\n nop\\n 1: ldr r0, [r3]"), 7);
+  EXPECT_EQ(device_cycles_of("mov r3, #0x40000000\\n ldr r1, [r3]\\n ldr r0, [r1]"), 14);
   EXPECT_EQ(device_cycles_of("mov r3, #0x40000000\\n ldr r0, [r3, r1]\\n push {r0}\\n pop {r0}"), 7);
 }
 
+TEST(Devices, KeepTheirAddressBetweenBlocks) {
+  const std::string either = "mov r3, #0x40000000\\n cbz r0, 1f\\n %\\n 1: ldr r0, [r3]";
+  const auto with = [&](const std::string& way) {
+    return std::string(either).replace(either.find('%'), 1, way);
+  };
+  EXPECT_EQ(device_cycles_of(with("nop"), "no port"), 7);
+  EXPECT_EQ(device_cycles_of(with("mov r3, #0x20000000"), "no port"), 0) << "two ways, two addresses";
+  EXPECT_EQ(device_cycles_of(with("mov r3, #0x20000000")), 7) << "a port's may be one";
+}
+
+TEST(Devices, AreNotWhatAFunctionIsHanded) {
+  EXPECT_EQ(device_cycles_of("mov r3, #0x40000000\\n ldr r2, [r3]\\n str r2, [r0]\\n str r2, [r0, #4]"), 7);
+  EXPECT_EQ(device_cycles_of("mov r3, #0x40000000\\n ldr r0, [r3]\\n str r2, [r0]"), 14)
+      << "it is another r0";
+}
+
 TEST(Devices, OnlyPortsMeanThemUnsaid) {
-  const std::string code = "mov r3, #0x40000000\\n ldr r0, [r3]\\n cbz r0, 1f\\n nop\\n 1: ldr r0, [r3]";
+  const std::string code = "mov r3, #0x40000000\\n ldr r1, [r3]\\n ldr r0, [r1]";
   EXPECT_EQ(device_cycles_of(code), 14);
   EXPECT_EQ(device_cycles_of(code, "palpate::port::"), 7);
 }
