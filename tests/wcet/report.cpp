@@ -10,21 +10,6 @@ namespace {
 
 constexpr size_t kHotBlocks = 12;
 
-// Without its type, arguments and parameters: "palpate::Forces::evaluate".
-std::string shortened(const std::string& name) {
-  if (name.find("operator") != std::string::npos) return name;
-  const size_t end = name.find_last_of(')');  // behind it there may be "const"
-  std::string kept;
-  int depth = 0;
-  for (const char c : name.substr(0, end)) {
-    if (c == '<' || c == '(') ++depth;
-    if (depth == 0 && c == ' ') kept.clear();
-    if (depth == 0 && c != ' ') kept += c;
-    if (c == '>' || c == ')') --depth;
-  }
-  return kept.empty() ? name : kept;
-}
-
 std::string assumptions(const CostModel& model) {
   const char* predictor = model.predictor == Predictor::kStatic ? "backward branches are predicted as taken"
                                                                 : "every conditional branch is mispredicted";
@@ -39,7 +24,7 @@ std::string assumptions(const CostModel& model) {
 void print_row(const Findings& findings, const FunctionFigures& figures, const std::string& name) {
   const auto total = static_cast<double>(findings.total());
   fmt::print("{:>12.0f} {:>12.0f} {:>6.1f}% {:>10.0f}  {}\n", figures.with_callees, figures.own,
-             100 * figures.with_callees / total, figures.calls, shortened(name));
+             100 * figures.with_callees / total, figures.calls, short_name(name));
 }
 
 std::vector<size_t> by_cost(const Findings& findings) {
@@ -68,7 +53,7 @@ void print_functions(const Findings& findings, bool stages) {
 }
 
 std::string place_text(Place place) {
-  place.function = shortened(place.function);
+  place.function = short_name(place.function);
   return to_string(place);
 }
 
@@ -89,7 +74,7 @@ void print_stack(const Findings& findings, const std::vector<StackUse>& stack) {
              "own", "deepest chain of calls");
   for (const size_t i : deepest_chain(stack)) {
     fmt::print("{:>12} {:>12}  {}\n", stack[i].deepest_bytes, stack[i].own_bytes,
-               shortened(findings.calls.functions()[i].name));
+               short_name(findings.calls.functions()[i].name));
   }
 }
 
@@ -105,31 +90,6 @@ void print_sections(const Findings& findings) {
 }
 
 }  // namespace
-
-std::vector<SectionUse> section_uses(const ElfImage& image) {
-  std::vector<SectionUse> uses;
-  for (const Section& section : image.sections()) {
-    if (!section.loaded || section.size == 0) continue;
-    uses.push_back(
-        {section.name, section.writable ? section.size : 0, section.bytes.empty() ? 0 : section.size});
-  }
-  return uses;
-}
-
-std::vector<size_t> deepest_chain(const std::vector<StackUse>& stack) {
-  std::vector<size_t> chain{stack.size() - 1};
-  while (stack[chain.back()].next_deepest) chain.push_back(*stack[chain.back()].next_deepest);
-  return chain;
-}
-
-std::optional<std::string> stage_name(const std::string& function) {
-  constexpr std::string_view kMark = "_stages::";
-  // Behind the name come its template arguments or its parameters, which may name stages too.
-  const size_t at = function.find(kMark);
-  if (at == std::string::npos || function.find('(') < at) return std::nullopt;
-  const std::string rest = function.substr(at + kMark.size());
-  return rest.substr(0, rest.find_first_of("<("));
-}
 
 void print(const Findings& findings) {
   const std::string& root = findings.calls.functions().back().name;

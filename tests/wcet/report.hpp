@@ -8,6 +8,7 @@
 
 #include "bound.hpp"
 #include "cost_model.hpp"
+#include "report_rows.hpp"
 #include "stack.hpp"
 #include "worst_path.hpp"
 
@@ -27,21 +28,6 @@ struct Findings {
   }
   [[nodiscard]] Cycles total() const { return bounds.bound() + interrupt(); }
 };
-
-/// Bytes that a section takes in memory that is written, and in memory that keeps.
-struct SectionUse {
-  std::string name;
-  uint32_t ram = 0;
-  uint32_t flash = 0;
-};
-std::vector<SectionUse> section_uses(const ElfImage& image);
-
-/// Functions on the deepest chain of calls, from the root.
-std::vector<size_t> deepest_chain(const std::vector<StackUse>& stack);
-
-/// A stage of the tick, by the namespace that all of them are in: "forces" of
-/// ...tick_stages::forces<...>(...).
-std::optional<std::string> stage_name(const std::string& function);
 
 void print(const Findings& findings);
 nlohmann::json to_json(const Findings& findings);

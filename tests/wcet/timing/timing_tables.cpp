@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "timing_report.hpp"
+
+namespace palpate::wcet::timing {
+
+const char* const kCaveat =
+    "Cycles on m4 are by Arm's own table at zero wait states. Cycles on m7 hold under a stated model, since "
+    "Arm publishes no "
+    "table: they are to be confirmed on a board with DWT CYCCNT. Device registers cost what "
+    "tests/wcet/devices assumes, "
+    "unmeasured.";
+
+namespace {
+
+std::string measured_text(const ProfileTiming& timing) {
+  return timing.measured ? grouped(timing.measured->max_observed_instructions) : "not measured";
+}
+
+std::string ratio_text(const ProfileTiming& timing) {
+  return timing.measured ? fmt::format("{:.2f}", *timing.ratio()) : "";
+}
+
+std::string design_text(const ProfileTiming& timing) {
+  const std::optional<Cycles>& design = timing.row.design.cycles;
+  if (!design) return "none";
+  return fmt::format("{}, {}", grouped(*design), timing.figures.cycles <= *design ? "met" : "not met");
+}
+
+std::string formula_text(const ProfileTiming& timing) {
+  std::string text =
+      fmt::format("{} on {}: cycles <= {:.0f}", timing.name, timing.row.core, timing.formula->constant);
+  for (const FormulaTerm& term : timing.formula->terms)
+    text += fmt::format(" + {:.0f} x {} ({})", term.each, term.quantity, term.count);
+  return text;
+}
+
+std::string profiles_in_markdown(const std::vector<ProfileTiming>& timings) {
+  std::string text =
+      "| profile | core | bound, instructions | most observed | bound, cycles | design, cycles | stack | RAM "
+      "| tick code "
+      "|\n|---|---|---|---|---|---|---|---|---|\n";
+  for (const ProfileTiming& timing : timings) {
+    const CommittedFigures now = timing.now();
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", timing.name, timing.row.core,
+                        grouped(now.instructions), measured_text(timing), grouped(now.cycles),
+                        design_text(timing), grouped(now.stack_bytes), grouped(now.ram_bytes),
+                        grouped(now.tick_code_bytes));
+  }
+  return text;
+}
+
+std::string boards_in_markdown(const std::vector<ProfileTiming>& timings) {
+  std::string text =
+      "| profile | board | clock, MHz | cycles | µs | slack of 1 ms, µs |\n|---|---|---|---|---|---|\n";
+  for (const ProfileTiming& timing : timings) {
+    for (const BoardTiming& board : timing.boards) {
+      text +=
+          fmt::format("| {} | {} | {:.0f} | {} | {} | {} |\n", timing.name, board.board.name,
+                      board.board.clock_mhz, grouped(board.cycles),
+                      grouped(std::llround(board.microseconds())), grouped(std::llround(board.slack_us())));
+    }
+  }
+  return text;
+}
+
+// A quantity a row, a profile a column; of a profile without the quantity the cell is empty.
+std::string formulas_in_markdown(const std::vector<ProfileTiming>& timings) {
+  std::string head = "| cycles of each |";
+  std::string line = "|---|";
+  std::string constants = "| constant |";
+  std::map<std::string, std::string> rows;
+  std::vector<std::string> order;
+  for (const ProfileTiming& timing : timings) {
+    if (!timing.formula) return "";
+    head += fmt::format(" {}, {} |", timing.name, timing.row.core);
+    line += "---|";
+    constants += fmt::format(" {} |", grouped(std::llround(timing.formula->constant)));
+    for (const FormulaTerm& term : timing.formula->terms) {
+      if (rows.emplace(term.quantity, "| " + term.quantity + " |").second) order.push_back(term.quantity);
+    }
+  }
+  for (const ProfileTiming& timing : timings) {
+    for (auto& [quantity, row] : rows) {
+      const auto& terms = timing.formula->terms;
+      const auto term =
+          std::find_if(terms.begin(), terms.end(),
+                       [&, name = quantity](const FormulaTerm& other) { return other.quantity == name; });
+      row += term == terms.end() ? " |"
+                                 : fmt::format(" {} x {} |", grouped(std::llround(term->each)), term->count);
+    }
+  }
+  std::string text = head + "\n" + line + "\n" + constants + "\n";
+  for (const std::string& quantity : order) text += rows[quantity] + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string grouped(Cycles number) {
+  std::string text = std::to_string(number);
+  const size_t first = text[0] == '-' ? 1 : 0;
+  for (size_t at = text.size(); at > first + 3;) text.insert(at -= 3, " ");
+  return text;
+}
+
+std::string make_tables(const std::vector<ProfileTiming>& timings) {
+  std::string text = fmt::format("{:<14} {:<5} {:>13} {:>13} {:>6} {:>11} {:>20} {:>7} {:>8} {:>8}\n",
+                                 "profile", "core", "bound, instr.", "most observed", "ratio", "bound, cyc.",
+                                 "design, cycles", "stack", "RAM", "code");
+  for (const ProfileTiming& timing : timings) {
+    const CommittedFigures now = timing.now();
+    text += fmt::format("{:<14} {:<5} {:>13} {:>13} {:>6} {:>11} {:>20} {:>7} {:>8} {:>8}\n", timing.name,
+                        timing.row.core, grouped(now.instructions), measured_text(timing), ratio_text(timing),
+                        grouped(now.cycles), design_text(timing), grouped(now.stack_bytes),
+                        grouped(now.ram_bytes), grouped(now.tick_code_bytes));
+  }
+  text += fmt::format("\n{:<14} {:<16} {:>8} {:>11} {:>11} {:>12}\n", "profile", "board", "MHz", "cycles",
+                      "us", "slack, us");
+  for (const ProfileTiming& timing : timings) {
+    for (const BoardTiming& board : timing.boards) {
+      text +=
+          fmt::format("{:<14} {:<16} {:>8.0f} {:>11} {:>11.1f} {:>12.1f}\n", timing.name, board.board.name,
+                      board.board.clock_mhz, grouped(board.cycles), board.microseconds(), board.slack_us());
+    }
+  }
+  text += fmt::format("\n{}\n", kCaveat);
+  for (const ProfileTiming& timing : timings) {
+    if (timing.formula) text += "\n" + formula_text(timing) + "\n";
+  }
+  return text;
+}
+
+std::string make_markdown(const std::vector<ProfileTiming>& timings) {
+  return profiles_in_markdown(timings) + "\n" + boards_in_markdown(timings) + "\n" +
+         formulas_in_markdown(timings);
+}
+
+}  // namespace palpate::wcet::timing
