@@ -6,9 +6,17 @@
 namespace palpate::wcet {
 namespace {
 
+// What fills the last half-word before code: gcc leaves a zero byte, clang a nop, which as an offset would
+// lead out of the function.
+bool is_filler(const Program& program, const Instruction& at, uint32_t target, uint32_t offset) {
+  constexpr uint32_t kNop = 0xbf00;
+  return offset == kNop &&
+         program.image().function_around(target) != program.image().function_around(at.address);
+}
+
 // tbb and tbh: offsets without sign, in half-words from the table's start. The table ends at the latest where
-// the first of its targets begins, or where code begins. A last byte may only fill up a half-word: it points
-// into the table itself.
+// the first of its targets begins, or where code begins. What would lead into the table itself is behind its
+// end.
 std::vector<uint32_t> table_targets(const Program& program, const Instruction& at) {
   const uint32_t width = at.text.rfind("tbb", 0) == 0 ? 1 : 2;
   const uint32_t table = at.next();
@@ -19,7 +27,7 @@ std::vector<uint32_t> table_targets(const Program& program, const Instruction& a
     const std::optional<uint32_t> offset = program.image().read(entry, width);
     if (!offset) break;
     const uint32_t target = table + 2 * *offset;
-    if (target <= entry) continue;
+    if (target <= entry || is_filler(program, at, target, *offset)) break;
     targets.push_back(target);
     end = std::min(end, target);
   }

@@ -58,6 +58,16 @@ TEST(Bound, BranchTable) {
   EXPECT_EQ(bound_of(assembler(code)), 4);
 }
 
+// As gcc and as clang fill up what is behind an odd number of offsets.
+TEST(Bound, BranchTableWithFiller) {
+  const std::string ways = "\\n1: bx lr\\n2: nop\\n\\tnop\\n\\tbx lr\"";
+  const std::string bytes = "\"tbb [pc, r0]\\n3: .byte (1f - 3b) / 2, (2f - 3b) / 2, (1f - 3b) / 2, ";
+  EXPECT_EQ(bound_of(assembler(bytes + "0" + ways)), 4);
+  EXPECT_EQ(bound_of(assembler(bytes + "0, 0, 0xbf" + ways)), 4);
+  const std::string half_words = "\"tbh [pc, r0, lsl #1]\\n3: .short (1f - 3b) / 2, (2f - 3b) / 2, ";
+  EXPECT_EQ(bound_of(assembler(half_words + "0xbf00" + ways)), 4);
+}
+
 TEST(Bound, TableOfAddresses) {
   const std::string code =
       "\"adr r2, 3f\\n\\tldr.w pc, [r2, r0, lsl #2]\\n\\t.align 2\\n3: .word 1f + 1, 2f + 1, 1f + 1\\n"

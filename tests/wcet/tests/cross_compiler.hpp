@@ -1,6 +1,7 @@
 // Tiny target programs, compiled and linked where a test needs them.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "../program.hpp"
@@ -25,12 +26,15 @@ using namespace palpate;
 #line 1
 )";
 
+enum class Compiler : uint8_t { kGcc, kClang };
+
 /// An ELF that goes with its owner.
 class TargetProgram {
  public:
   /// C++, compiled with `options` besides the project's own. Throws with what the
   /// compiler says.
-  explicit TargetProgram(const std::string& source, const std::string& options = "-O2");
+  explicit TargetProgram(const std::string& source, const std::string& options = "-O2",
+                         Compiler compiler = Compiler::kGcc);
 
   [[nodiscard]] std::string path() const { return folder_ / "program.elf"; }
   [[nodiscard]] const Program& program() const { return program_; }

@@ -10,7 +10,7 @@ namespace {
 
 class Generator {
  public:
-  explicit Generator(uint32_t seed) : random_(seed) {}
+  Generator(uint32_t seed, Paths paths) : random_(seed), paths_(paths) {}
 
   std::string run() {
     text_ = "#include \"counting_run.hpp\"\nuint32_t table[16];\n";
@@ -63,7 +63,7 @@ class Generator {
       case 2:
         return branch(rounds);
       case 3:
-        return choice(rounds);
+        return knows_maximum() ? loop(rounds) : choice(rounds);
       case 4:
         return call(rounds);
       case 5:
@@ -73,29 +73,35 @@ class Generator {
     }
   }
 
+  [[nodiscard]] bool knows_maximum() const { return paths_ == Paths::kKnownMaximum; }
+
   void simple() {
-    static const std::vector<std::string> texts{
-        "table[x >> 28] += x;",
-        "x = static_cast<uint32_t>((uint64_t{x} * 2654435761u) >> 32);",
-        "if (x == 12345u) return x;",
-        "x ^= table[(x >> 20) & 15];",
-        "x = (x & 0x8000u) != 0 ? x + 7 : x ^ 99;",
-        "x /= (x & 15) + 1;"};
+    static const std::vector<std::string> straight{
+        "table[x >> 28] += x;", "x = static_cast<uint32_t>((uint64_t{x} * 2654435761u) >> 32);",
+        "x ^= table[(x >> 20) & 15];", "x /= (x & 15) + 1;"};
+    static const std::vector<std::string> branching{"if (x == 12345u) return x;",
+                                                    "x = (x & 0x8000u) != 0 ? x + 7 : x ^ 99;"};
+    const bool is_straight = knows_maximum() || below(3) > 0;
+    const std::vector<std::string>& texts = is_straight ? straight : branching;
     line(texts[below(static_cast<uint32_t>(texts.size()))]);
   }
 
+  // What opens rounds: bits of x, or only of full.
+  [[nodiscard]] const char* opening() const { return knows_maximum() ? "full" : "((x >> 28) | full)"; }
+
   void loop(uint64_t rounds) {
     const uint32_t most = between(1, 7);
-    line(fmt::format("for (const uint32_t i : bounded<{}>((x >> 29) | full, [] {{}})) {{", most));
+    line(fmt::format("for (const uint32_t i : bounded<{}>({}, [] {{}})) {{", most, opening()));
     line("  x += i;");
     block(rounds * most);
     line("}");
   }
 
   void branch(uint64_t rounds) {
-    line(fmt::format("if (((x | full) & {:#x}u) != 0) {{", 1u << between(8, 30)));
+    line(fmt::format("if (({} & {:#x}u) != 0) {{", knows_maximum() ? "full" : "(x | full)",
+                     1u << between(8, 30)));
     block(rounds);
-    if (below(2) == 0) {
+    if (!knows_maximum() && below(2) == 0) {
       line("} else {");
       block(rounds);
     }
@@ -127,9 +133,9 @@ class Generator {
     const uint32_t most = between(2, 12);
     line("{");
     line(fmt::format("auto total = bounded_total<{}>([] {{}});", most));
-    line(fmt::format("for (const uint32_t i : bounded<{}>((x >> 29) | full, [] {{}})) {{", between(2, 6)));
+    line(fmt::format("for (const uint32_t i : bounded<{}>({}, [] {{}})) {{", between(2, 6), opening()));
     line("  x += i;");
-    line("  for (const uint32_t j : total.take(0, ((x >> 28) | full) & 15)) {");
+    line(fmt::format("  for (const uint32_t j : total.take(0, {} & 15)) {{", opening()));
     line("    x += j;");
     block(rounds * most);
     line("  }");
@@ -138,6 +144,7 @@ class Generator {
   }
 
   std::mt19937 random_;
+  Paths paths_;
   std::string text_;
   uint32_t depth_ = 0;
   uint64_t work_ = 0;
@@ -146,6 +153,6 @@ class Generator {
 
 }  // namespace
 
-std::string generate_program(uint32_t seed) { return Generator(seed).run(); }
+std::string generate_program(uint32_t seed, Paths paths) { return Generator(seed, paths).run(); }
 
 }  // namespace palpate::wcet::test
