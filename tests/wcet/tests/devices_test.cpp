@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <numeric>
+#include <regex>
 
 #include "../bound.hpp"
 #include "../refusal.hpp"
@@ -102,6 +103,37 @@ TEST(Devices, SaysWhatIsWrong) {
     EXPECT_THROW(read_devices(path), BadInput) << text;
   }
   EXPECT_EQ(read_devices(PALPATE_SOURCE_FOLDER "/tests/wcet/devices/peripherals.toml").ranges.size(), 2u);
+}
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+// "at most 6 device-register accesses" in the comment right before the declaration.
+uint32_t accesses_in_header(const std::string& header, const std::string& function) {
+  const std::string text = text_of_file(PALPATE_SOURCE_FOLDER "/hal/ports/" + header);
+  const size_t declaration = text.find(" " + function + "(");
+  const size_t comment = text.rfind("\n\n", declaration);
+  const std::string contract = text.substr(comment, declaration - comment);
+  std::smatch found;
+  if (std::regex_search(contract, found, std::regex("at most ([0-9]+)\\s*(///)?\\s*device-register")))
+    return static_cast<uint32_t>(std::stoul(found[1]));
+  EXPECT_NE(contract.find("no device-register access"), std::string::npos) << header << ": " << function;
+  return 0;
+}
+
+TEST(Devices, OfTheBoardsFollowThePortsHeaders) {
+  const std::regex row("name = \"palpate::port::(\\w+)\"\naccesses = (\\d+)\nrange = .*\nsource = \"(.*)\"");
+  for (const char* board : {"stm32f4", "stm32h743", "imxrt1062"}) {
+    const std::string path = PALPATE_SOURCE_FOLDER "/tests/wcet/devices/" + std::string(board) + ".toml";
+    EXPECT_EQ(read_devices(path).contracts.size(), 13u);
+    const std::string text = text_of_file(path);
+    size_t rows = 0;
+    for (std::sregex_iterator at(text.begin(), text.end(), row); at != std::sregex_iterator(); ++at, ++rows)
+      EXPECT_EQ(std::stoul((*at)[2]), accesses_in_header((*at)[3], (*at)[1])) << board << ": " << (*at)[1];
+    EXPECT_EQ(rows, 13u) << board;
+  }
 }
 
 }  // namespace

@@ -89,9 +89,16 @@ class Judge {
   }
 
   void judge_formula() {
-    if (!timing_.formula || timing_.formula_error <= kMostFormulaError) return;
-    say(true, fmt::format("the formula misses the bound of other quantities by {:.1f} %",
-                          100 * timing_.formula_error));
+    if (!timing_.formula) return;
+    for (const char* quantity : {"leaves", "nodes"}) {
+      const auto& terms = timing_.formula->terms;
+      const auto is_it = [&](const FormulaTerm& term) { return term.quantity == quantity && term.each > 0; };
+      if (std::none_of(terms.begin(), terms.end(), is_it))
+        say(true, std::string("the formula knows no loop over ") + quantity);
+    }
+    if (timing_.formula_error > kMostFormulaError)
+      say(true, fmt::format("the formula misses the bound of other quantities by {:.1f} %",
+                            100 * timing_.formula_error));
   }
 
   const ProfileTiming& timing_;

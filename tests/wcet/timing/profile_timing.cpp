@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "refusal.hpp"
@@ -50,6 +51,13 @@ void add_formulas(const std::vector<std::unique_ptr<TimingImage>>& images,
   }
 }
 
+void require_image(const std::string& folder, const FigureRow& row) {
+  const std::string target = "palpate_timing_" + row.profile;
+  if (std::filesystem::exists(folder + target + ".elf")) return;
+  throw BadInput(folder + target + ".elf is not there: cmake --build --preset " + row.core + " --target " +
+                 target);
+}
+
 }  // namespace
 
 std::vector<ProfileTiming> time_profiles(const FigureFile& figures, const Builds& builds) {
@@ -59,6 +67,7 @@ std::vector<ProfileTiming> time_profiles(const FigureFile& figures, const Builds
     const auto of_core = builds.folders.find(row.core);
     if (of_core == builds.folders.end()) throw BadInput("nobody builds for core " + row.core + "; m4, m7");
     const std::string folder = of_core->second + "/";
+    require_image(folder, row);
     images.push_back(std::make_unique<TimingImage>(folder + "palpate_timing_" + row.profile + ".elf",
                                                    row.profile, row.core));
     const TimingImage& image = *images.back();

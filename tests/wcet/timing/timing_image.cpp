@@ -54,6 +54,11 @@ TimingImage::TimingImage(const std::string& path, const std::string& profile, co
   figures_.interrupt = model_.interrupt_entry + model_.interrupt_exit;
   const BoundAnalysis analysis(program_, calls_, model_);
   figures_.cycles = analysis.bound() + figures_.interrupt;
+  if (model_.mispredicted > 0) {
+    CostModel predicted = model_;
+    predicted.predictor = Predictor::kStatic;
+    figures_.predicted_cycles = BoundAnalysis(program_, calls_, predicted).bound() + figures_.interrupt;
+  }
   add_path(analysis);
   add_memory(path);
 }

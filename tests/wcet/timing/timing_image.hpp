@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,11 @@ struct SectionBytes {
 };
 
 struct ImageFigures {
-  Cycles instructions = 0;  // with no interrupt around them, as QEMU counts them
-  Cycles cycles = 0;        // of the core's model, with interrupt entry and exit
-  Cycles interrupt = 0;     // those
-  std::string model;        // what it is
+  Cycles instructions = 0;                 // with no interrupt around them, as QEMU counts them
+  Cycles cycles = 0;                       // of the core's model, with interrupt entry and exit
+  Cycles interrupt = 0;                    // those
+  std::optional<Cycles> predicted_cycles;  // if backward branches are predicted as taken, where that matters
+  std::string model;                       // what it is
   std::vector<PathRow> stages;
   std::vector<PathRow> functions;
   std::vector<PathRow> blocks;  // the hottest

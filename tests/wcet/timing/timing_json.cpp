@@ -75,6 +75,7 @@ json make_json(const std::vector<ProfileTiming>& timings) {
              {"core", timing.row.core},
              {"bound_instructions", now.instructions},
              {"bound_cycles", now.cycles},
+             {"bound_cycles_static_predictor", or_null(timing.figures.predicted_cycles)},
              {"max_observed_instructions", nullptr},
              {"coverage_percent", nullptr},
              {"ratio", or_null(timing.ratio())},

@@ -106,9 +106,14 @@ std::string list_of(const std::vector<Finding>& findings) {
 }
 
 std::string section_of(const ProfileTiming& timing) {
+  const std::optional<Cycles>& static_predictor = timing.figures.predicted_cycles;
+  const std::string predicted =
+      static_predictor
+          ? fmt::format(", {} if backward branches are predicted as taken", grouped(*static_predictor))
+          : "";
   std::string html =
-      fmt::format("<h2>{} on {}</h2><p>At most {} cycles: {}.</p>", timing.name, timing.row.core,
-                  grouped(timing.figures.cycles), escaped(timing.figures.model));
+      fmt::format("<h2>{} on {}</h2><p>At most {} cycles{}: {}.</p>", timing.name, timing.row.core,
+                  grouped(timing.figures.cycles), predicted, escaped(timing.figures.model));
   html += tables_of_path(timing.figures);
   if (timing.formula) {
     html +=

@@ -25,6 +25,10 @@ std::string ratio_text(const ProfileTiming& timing) {
   return timing.measured ? fmt::format("{:.2f}", *timing.ratio()) : "";
 }
 
+std::string predicted_text(const ProfileTiming& timing) {
+  return timing.figures.predicted_cycles ? grouped(*timing.figures.predicted_cycles) : "";
+}
+
 std::string design_text(const ProfileTiming& timing) {
   const std::optional<Cycles>& design = timing.row.design.cycles;
   if (!design) return "none";
@@ -39,17 +43,55 @@ std::string formula_text(const ProfileTiming& timing) {
   return text;
 }
 
-std::string profiles_in_markdown(const std::vector<ProfileTiming>& timings) {
-  std::string text =
-      "| profile | core | bound, instructions | most observed | bound, cycles | design, cycles | stack | RAM "
-      "| tick code "
-      "|\n|---|---|---|---|---|---|---|---|---|\n";
+std::string profiles_in_text(const std::vector<ProfileTiming>& timings) {
+  constexpr const char* kRow = "{:<14} {:<5} {:>13} {:>13} {:>6} {:>11} {:>11} {:>20} {:>7} {:>8} {:>8}\n";
+  std::string text = fmt::format(fmt::runtime(kRow), "profile", "core", "bound, instr.", "most observed",
+                                 "ratio", "cycles", "predicted", "design, cycles", "stack", "RAM", "code");
   for (const ProfileTiming& timing : timings) {
     const CommittedFigures now = timing.now();
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", timing.name, timing.row.core,
-                        grouped(now.instructions), measured_text(timing), grouped(now.cycles),
-                        design_text(timing), grouped(now.stack_bytes), grouped(now.ram_bytes),
-                        grouped(now.tick_code_bytes));
+    text += fmt::format(fmt::runtime(kRow), timing.name, timing.row.core, grouped(now.instructions),
+                        measured_text(timing), ratio_text(timing), grouped(now.cycles),
+                        predicted_text(timing), design_text(timing), grouped(now.stack_bytes),
+                        grouped(now.ram_bytes), grouped(now.tick_code_bytes));
+  }
+  return text;
+}
+
+std::string boards_in_text(const std::vector<ProfileTiming>& timings) {
+  std::string text = fmt::format("{:<14} {:<16} {:>8} {:>11} {:>11} {:>12}\n", "profile", "board", "MHz",
+                                 "cycles", "us", "slack, us");
+  for (const ProfileTiming& timing : timings) {
+    for (const BoardTiming& board : timing.boards) {
+      text +=
+          fmt::format("{:<14} {:<16} {:>8.0f} {:>11} {:>11.1f} {:>12.1f}\n", timing.name, board.board.name,
+                      board.board.clock_mhz, grouped(board.cycles), board.microseconds(), board.slack_us());
+    }
+  }
+  return text;
+}
+
+std::string profiles_in_markdown(const std::vector<ProfileTiming>& timings) {
+  std::string text =
+      "| profile | core | bound, instructions | most observed | bound, cycles | static predictor | design |\n"
+      "|---|---|---|---|---|---|---|\n";
+  for (const ProfileTiming& timing : timings) {
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", timing.name, timing.row.core,
+                        grouped(timing.figures.instructions), measured_text(timing),
+                        grouped(timing.figures.cycles), predicted_text(timing), design_text(timing));
+  }
+  return text;
+}
+
+std::string memory_in_markdown(const std::vector<ProfileTiming>& timings) {
+  std::string text =
+      "| profile | core | stack: background + frame + tick | RAM | tick code | flash "
+      "|\n|---|---|---|---|---|---|\n";
+  for (const ProfileTiming& timing : timings) {
+    const ImageFigures& figures = timing.figures;
+    text += fmt::format("| {} | {} | {} + {} + {} = {} | {} | {} | {} |\n", timing.name, timing.row.core,
+                        figures.stack.background, figures.stack.frame, figures.stack.interrupt,
+                        figures.stack.bytes(), grouped(figures.ram_bytes()), grouped(figures.tick_code_bytes),
+                        grouped(figures.flash_bytes()));
   }
   return text;
 }
@@ -109,26 +151,7 @@ std::string grouped(Cycles number) {
 }
 
 std::string make_tables(const std::vector<ProfileTiming>& timings) {
-  std::string text = fmt::format("{:<14} {:<5} {:>13} {:>13} {:>6} {:>11} {:>20} {:>7} {:>8} {:>8}\n",
-                                 "profile", "core", "bound, instr.", "most observed", "ratio", "bound, cyc.",
-                                 "design, cycles", "stack", "RAM", "code");
-  for (const ProfileTiming& timing : timings) {
-    const CommittedFigures now = timing.now();
-    text += fmt::format("{:<14} {:<5} {:>13} {:>13} {:>6} {:>11} {:>20} {:>7} {:>8} {:>8}\n", timing.name,
-                        timing.row.core, grouped(now.instructions), measured_text(timing), ratio_text(timing),
-                        grouped(now.cycles), design_text(timing), grouped(now.stack_bytes),
-                        grouped(now.ram_bytes), grouped(now.tick_code_bytes));
-  }
-  text += fmt::format("\n{:<14} {:<16} {:>8} {:>11} {:>11} {:>12}\n", "profile", "board", "MHz", "cycles",
-                      "us", "slack, us");
-  for (const ProfileTiming& timing : timings) {
-    for (const BoardTiming& board : timing.boards) {
-      text +=
-          fmt::format("{:<14} {:<16} {:>8.0f} {:>11} {:>11.1f} {:>12.1f}\n", timing.name, board.board.name,
-                      board.board.clock_mhz, grouped(board.cycles), board.microseconds(), board.slack_us());
-    }
-  }
-  text += fmt::format("\n{}\n", kCaveat);
+  std::string text = profiles_in_text(timings) + "\n" + boards_in_text(timings) + "\n" + kCaveat + "\n";
   for (const ProfileTiming& timing : timings) {
     if (timing.formula) text += "\n" + formula_text(timing) + "\n";
   }
@@ -137,7 +160,7 @@ std::string make_tables(const std::vector<ProfileTiming>& timings) {
 
 std::string make_markdown(const std::vector<ProfileTiming>& timings) {
   return profiles_in_markdown(timings) + "\n" + boards_in_markdown(timings) + "\n" +
-         formulas_in_markdown(timings);
+         memory_in_markdown(timings) + "\n" + formulas_in_markdown(timings);
 }
 
 }  // namespace palpate::wcet::timing

@@ -95,11 +95,13 @@ TEST(Gates, NothingIsSeenAboveABound) {
 
 TEST(Gates, TheFormulaIsTrue) {
   ProfileTiming timing = make_timing(400, 900);
-  timing.formula = Formula{100, {{"leaves", 80, 10}}};
+  timing.formula = Formula{100, {{"leaves", 70, 10}, {"nodes", 10, 10}}};
   timing.formula_error = 0.009;
   EXPECT_EQ(failures_of(timing), 0u);
   timing.formula_error = 0.011;
   EXPECT_EQ(failures_of(timing), 1u);
+  timing.formula = Formula{900, {}};
+  EXPECT_EQ(failures_of(timing), 3u) << "it says nothing";
 }
 
 }  // namespace
