@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "timing_report.hpp"
 
@@ -110,35 +110,60 @@ std::string boards_in_markdown(const std::vector<ProfileTiming>& timings) {
   return text;
 }
 
-// A quantity a row, a profile a column; of a profile without the quantity the cell is empty.
+// Rows by name and columns by profile; what a profile does not have is empty.
+class MarkdownMatrix {
+ public:
+  explicit MarkdownMatrix(const std::string& corner) : head_("| " + corner + " |"), line_("|---|") {}
+
+  void begin_column(const ProfileTiming& timing) {
+    ++columns_;
+    head_ += fmt::format(" {}, {} |", timing.name, timing.row.core);
+    line_ += "---|";
+  }
+  void add(const std::string& row, const std::string& cell) {
+    if (cells_.count(row) == 0) order_.push_back(row);
+    std::vector<std::string>& cells = cells_[row];
+    cells.resize(columns_);
+    cells.back() = cell;
+  }
+  [[nodiscard]] std::string text() {
+    std::string text = head_ + "\n" + line_ + "\n";
+    for (const std::string& row : order_) {
+      cells_[row].resize(columns_);
+      text += "| " + row + " |";
+      for (const std::string& cell : cells_[row]) text += " " + cell + " |";
+      text += "\n";
+    }
+    return text;
+  }
+
+ private:
+  std::string head_, line_;
+  size_t columns_ = 0;
+  std::vector<std::string> order_;
+  std::map<std::string, std::vector<std::string>> cells_;
+};
+
+std::string stages_in_markdown(const std::vector<ProfileTiming>& timings) {
+  MarkdownMatrix matrix("cycles of a stage, all its calls");
+  for (const ProfileTiming& timing : timings) {
+    matrix.begin_column(timing);
+    for (const PathRow& stage : timing.figures.stages)
+      matrix.add(stage.name, grouped(std::llround(stage.with_callees)));
+  }
+  return matrix.text();
+}
+
 std::string formulas_in_markdown(const std::vector<ProfileTiming>& timings) {
-  std::string head = "| cycles of each |";
-  std::string line = "|---|";
-  std::string constants = "| constant |";
-  std::map<std::string, std::string> rows;
-  std::vector<std::string> order;
+  MarkdownMatrix matrix("cycles of each");
   for (const ProfileTiming& timing : timings) {
     if (!timing.formula) return "";
-    head += fmt::format(" {}, {} |", timing.name, timing.row.core);
-    line += "---|";
-    constants += fmt::format(" {} |", grouped(std::llround(timing.formula->constant)));
-    for (const FormulaTerm& term : timing.formula->terms) {
-      if (rows.emplace(term.quantity, "| " + term.quantity + " |").second) order.push_back(term.quantity);
-    }
+    matrix.begin_column(timing);
+    matrix.add("constant", grouped(std::llround(timing.formula->constant)));
+    for (const FormulaTerm& term : timing.formula->terms)
+      matrix.add(term.quantity, fmt::format("{} x {}", grouped(std::llround(term.each)), term.count));
   }
-  for (const ProfileTiming& timing : timings) {
-    for (auto& [quantity, row] : rows) {
-      const auto& terms = timing.formula->terms;
-      const auto term =
-          std::find_if(terms.begin(), terms.end(),
-                       [&, name = quantity](const FormulaTerm& other) { return other.quantity == name; });
-      row += term == terms.end() ? " |"
-                                 : fmt::format(" {} x {} |", grouped(std::llround(term->each)), term->count);
-    }
-  }
-  std::string text = head + "\n" + line + "\n" + constants + "\n";
-  for (const std::string& quantity : order) text += rows[quantity] + "\n";
-  return text;
+  return matrix.text();
 }
 
 }  // namespace
@@ -160,7 +185,8 @@ std::string make_tables(const std::vector<ProfileTiming>& timings) {
 
 std::string make_markdown(const std::vector<ProfileTiming>& timings) {
   return profiles_in_markdown(timings) + "\n" + boards_in_markdown(timings) + "\n" +
-         memory_in_markdown(timings) + "\n" + formulas_in_markdown(timings);
+         stages_in_markdown(timings) + "\n" + memory_in_markdown(timings) + "\n" +
+         formulas_in_markdown(timings);
 }
 
 }  // namespace palpate::wcet::timing
