@@ -93,15 +93,17 @@ TEST(Devices, RefusesPolling) {
 TEST(Devices, SaysWhatIsWrong) {
   const palpate::test::TemporaryFolder folder;
   const std::string path = folder / "devices.toml";
-  for (const char* text :
-       {"no ranges", "ports = ['port']",
-        "ports = ['port']\n[[range]]\nname = 'timer'\nfirst = 5\nlast = 4\ncycles = 1\nsource = 'x'",
-        "ports = ['port']\n[[range]]\nname = 'timer'\nfirst = 5\nlast = 6\ncycles = 1",
-        "ports = ['port']\n[[range]]\nname = 'timer'\nfirst = 5\nlast = 6\ncycles = 1\nsource = 'x'\n"
-        "[[port]]\nname = 'port::read'\naccesses = 1\nrange = 'clock'"}) {
+  const std::string ports = "ports = ['port']\n[[range]]\nname = 'timer'\n";
+  const std::string range = "first = 5\nlast = 6\ncycles = 1\nsource = 'x'\n";
+  for (const std::string& text :
+       {std::string("no ranges"), std::string("ports = ['port']"),
+        ports + "first = 5\nlast = 4\ncycles = 1\nsource = 'x'", ports + "first = 5\nlast = 6\ncycles = 1",
+        ports + range + "[[port]]\nname = 'port::read'\naccesses = 1\nrange = 'clock'"}) {
     std::ofstream(path) << text;
     EXPECT_THROW(read_devices(path), BadInput) << text;
   }
+  std::ofstream(path) << ports + range + "[[port]]\nname = 'port::read'\naccesses = 1\nrange = 'timer'";
+  EXPECT_EQ(read_devices(path).contracts.front().cycles, 1);
   EXPECT_EQ(read_devices(PALPATE_SOURCE_FOLDER "/tests/wcet/devices/peripherals.toml").ranges.size(), 2u);
 }
 

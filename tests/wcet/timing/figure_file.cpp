@@ -42,7 +42,7 @@ class FigureReader {
   }
 
   std::string text(const toml::table& row, const char* key) const {
-    const std::string value = row[key].value_or(std::string());
+    std::string value = row[key].value_or(std::string());
     if (value.empty()) refuse(std::string("has a row without ") + key);
     return value;
   }
