@@ -7,6 +7,7 @@
 
 #include "wcet/bound.hpp"
 #include "wcet/stack.hpp"
+#include "wcet/worst_path.hpp"
 
 namespace palpate::target {
 namespace {
@@ -58,6 +59,28 @@ TEST(Tick, HasRoomOnTheStack) {
               stack.frame, stack.interrupt);
   EXPECT_EQ(stack.interrupt, tick);
   EXPECT_LE(stack.bytes(), kStackBytes);
+}
+
+// What docs/timing.md adds for a board, without its image: calls x accesses x cycles.
+TEST(Ports, TakeNoMoreThanTheirContracts) {
+  if (devices().ranges.empty()) GTEST_SKIP() << "an emulated board";
+  const wcet::CallGraph calls = calls_below(kTick);
+  wcet::CostModel model = wcet::read_cost_model("m7");
+  const wcet::Cycles plain = wcet::BoundAnalysis(firmware(), calls, model).bound();
+  model.devices = devices();
+  const wcet::BoundAnalysis bounds(firmware(), calls, model);
+  const wcet::WorstPath path = wcet::walk_worst_path(calls, bounds);
+  double allowed = 0;
+  for (size_t i = 0; i < path.functions.size(); ++i) {
+    const std::string& name = calls.functions()[i].name;
+    for (const wcet::PortContract& port : devices().contracts) {
+      if (name.find(port.function + "(") == 0)
+        allowed += path.functions[i].calls * port.accesses * static_cast<double>(port.cycles);
+    }
+  }
+  std::printf("%ld cycles of device registers, %.0f by the contracts\n", bounds.bound() - plain, allowed);
+  EXPECT_GT(bounds.bound(), plain);
+  EXPECT_LE(static_cast<double>(bounds.bound() - plain), allowed);
 }
 
 /// Nothing takes time but device registers, each access one.

@@ -17,6 +17,7 @@ struct Options {
   std::string model;
   std::string json;
   std::string devices;
+  std::string object;
   bool stack = false;
   bool interrupt = false;
   bool static_predictor = false;
@@ -35,6 +36,8 @@ void add_options(CLI::App& app, Options& options) {
                "the core takes backward branches and no forward ones (m7: ACTLR.DISBTACREAD)");
   app.add_option("--wait-states", options.wait_states, "cycles more for every word fetched from code");
   app.add_option("--devices", options.devices, "a .toml file: what accesses to device registers cost more");
+  app.add_option("--object", options.object,
+                 "a static object, to be listed by its parts; it takes DWARF (-g)");
   app.add_option("--json", options.json, "writes all figures to this file");
 }
 
@@ -44,6 +47,14 @@ CostModel make_model(const Options& options) {
   model.wait_states = options.wait_states;
   if (!options.devices.empty()) model.devices = read_devices(options.devices);
   return model;
+}
+
+std::vector<PoolUse> read_pools(const Options& options) {
+  constexpr uint32_t kSmallPartBytes = 1024;
+  if (options.object.empty()) return {};
+  const std::optional<ObjectPart> object = read_object(options.elf, options.object);
+  if (!object) throw BadInput(options.elf + " has no object " + options.object + ", or no DWARF (-g)");
+  return list_pools(*object, kSmallPartBytes);
 }
 
 void write_json(const Findings& findings, const std::string& path) {
@@ -59,8 +70,14 @@ void analyse(const Options& options) {
   // A frame of unknown size is refused even when nobody asks for the stack: what follows it can't be trusted.
   std::vector<StackUse> stack = measure_stack(program, calls);
   const BoundAnalysis bounds(program, calls, model);
-  Findings findings{program,           calls,       model, bounds, walk_worst_path(calls, bounds),
-                    options.interrupt, std::nullopt};
+  Findings findings{program,
+                    calls,
+                    model,
+                    bounds,
+                    walk_worst_path(calls, bounds),
+                    options.interrupt,
+                    std::nullopt,
+                    read_pools(options)};
   if (options.stack) findings.stack = std::move(stack);
   print(findings);
   if (!options.json.empty()) write_json(findings, options.json);

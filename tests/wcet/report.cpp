@@ -89,6 +89,11 @@ void print_sections(const Findings& findings) {
   fmt::print("{:>12} {:>12}  {}\n", sum.ram, sum.flash, sum.name);
 }
 
+void print_pools(const std::vector<PoolUse>& pools) {
+  fmt::print("\n{:>12}  {}\n", "RAM bytes", "pool");
+  for (const PoolUse& pool : pools) fmt::print("{:>12}  {}: {}\n", pool.bytes, pool.name, pool.type);
+}
+
 }  // namespace
 
 void print(const Findings& findings) {
@@ -104,6 +109,7 @@ void print(const Findings& findings) {
   print_hot_blocks(findings);
   if (findings.stack) print_stack(findings, *findings.stack);
   print_sections(findings);
+  if (!findings.pools.empty()) print_pools(findings.pools);
 }
 
 }  // namespace palpate::wcet

@@ -8,6 +8,7 @@
 
 #include "bound.hpp"
 #include "cost_model.hpp"
+#include "object_layout.hpp"
 #include "report_rows.hpp"
 #include "stack.hpp"
 #include "worst_path.hpp"
@@ -22,6 +23,7 @@ struct Findings {
   WorstPath path;
   bool with_interrupt;  // entry and exit are part of the bound
   std::optional<std::vector<StackUse>> stack;
+  std::vector<PoolUse> pools;  // of a static object
 
   [[nodiscard]] Cycles interrupt() const {
     return with_interrupt ? model.interrupt_entry + model.interrupt_exit : 0;

@@ -57,6 +57,8 @@ json to_json(const Findings& findings) {
                 {"blocks", blocks_of(findings)},
                 {"path_ends", ends},
                 {"sections", sections}};
+  for (const PoolUse& pool : findings.pools)
+    document["pools"].push_back({{"name", pool.name}, {"type", pool.type}, {"ram_bytes", pool.bytes}});
   if (findings.stack) {
     json chain = json::array();
     for (const size_t i : deepest_chain(*findings.stack)) chain.push_back(findings.calls.functions()[i].name);

@@ -12,6 +12,7 @@ namespace palpate::wcet::test {
 namespace {
 
 constexpr const char* kSource =
+    "struct { unsigned leaf[400]; unsigned tick; } g_state; unsigned* volatile used = &g_state.tick;\n"
     "namespace tick_stages { __attribute__((noipa)) void forces() { asm volatile(\"nop\"); } }\n"
     "extern \"C\" __attribute__((noipa)) void root() { tick_stages::forces(); tick_stages::forces(); asm "
     "volatile(\"\"); }\n"
@@ -38,6 +39,13 @@ TEST_F(CommandLine, ReportsStagesBlocksAndStack) {
        {"root: at most ", " cycles", "  forces\n", "program.cpp:", "stack: at most 8 bytes", ".text"}) {
     EXPECT_NE(text_.find(part), std::string::npos) << part << " in\n" << text_;
   }
+}
+
+TEST_F(CommandLine, ListsAnObjectByItsParts) {
+  ASSERT_EQ(run(target_.path() + " --root root --model m4 --object g_state"), 0) << text_;
+  EXPECT_NE(text_.find("1600  leaf: unsigned int[]"), std::string::npos) << text_;
+  EXPECT_EQ(run(target_.path() + " --root root --model m4 --object g_other"), 2);
+  EXPECT_NE(text_.find("has no object g_other"), std::string::npos) << text_;
 }
 
 TEST_F(CommandLine, WritesJson) {

@@ -14,11 +14,11 @@ body { font: 15px/1.45 system-ui, sans-serif; color: #1c2430; max-width: 66rem; 
 h1 { font-size: 1.6rem } h2 { font-size: 1.25rem; margin-top: 2.5rem; border-top: 1px solid #d5dae2; padding-top: 1rem }
 h3 { font-size: 1rem; margin: 1.2rem 0 .3rem }
 table { border-collapse: collapse; margin: .4rem 0; font-size: 13.5px }
-th, td { text-align: left; padding: .18rem 1.1rem .18rem 0; border-bottom: 1px solid #eceff3; vertical-align: middle }
-th { color: #5a6575; font-weight: 600 } .n { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums }
+th, td { text-align: left; white-space: nowrap; padding: .18rem 1.1rem .18rem 0; border-bottom: 1px solid #eceff3; vertical-align: middle }
+th { color: #5a6575; font-weight: 600 } .n { text-align: right; font-variant-numeric: tabular-nums }
 .bar { width: 11rem; height: .75rem; background: #eef1f5; border-radius: 2px } .bar div { height: 100%; border-radius: 2px }
 .met { color: #2d7a4b } .not { color: #b3402e } summary { cursor: pointer; color: #3b6fb6; margin: .4rem 0 }
-p.note { color: #5a6575; font-size: 13.5px } .scale { position: relative; width: 24rem; height: 1rem; background: #eef1f5 }
+p.note { color: #5a6575; font-size: 13.5px } .scale { position: relative; width: 18rem; height: 1rem; background: #eef1f5 }
 .scale div { position: absolute; top: 0; height: 100% } .scale .tick { width: 2px; background: #1c2430 }
 </style></head><body>
 )";
@@ -38,9 +38,9 @@ std::string table_of_profiles(const std::vector<ProfileTiming>& timings) {
                    {"most observed"},
                    {"bound, cycles"},
                    {"design, cycles"},
-                   {"stack"},
-                   {"RAM"},
-                   {"tick code"}});
+                   {"stack, bytes"},
+                   {"RAM, bytes"},
+                   {"tick code, bytes"}});
   for (const ProfileTiming& timing : timings) {
     const CommittedFigures now = timing.now();
     const std::string measured =
