@@ -30,7 +30,12 @@ const std::string kIncludeHere = " -I" PALPATE_SOURCE_FOLDER "/tests/wcet/tests"
 struct Options {
   Compiler compiler;
   const char* text;
+
+  [[nodiscard]] std::string name() const {
+    return (compiler == Compiler::kGcc ? "g++ " : "clang ") + std::string(text);
+  }
 };
+std::ostream& operator<<(std::ostream& out, const Options& options) { return out << options.name(); }
 
 class Measured : public testing::TestWithParam<std::tuple<Options, uint32_t>> {
  protected:
@@ -61,8 +66,7 @@ TEST_P(Measured, IsTheBoundWhereTheMaximumIsKnown) {
 
 std::string name_of(const testing::TestParamInfo<Measured::ParamType>& info) {
   const auto& [options, seed] = info.param;
-  std::string name = (options.compiler == Compiler::kGcc ? "gcc" : "clang") + std::string(options.text) +
-                     std::to_string(seed);
+  std::string name = options.name() + std::to_string(seed);
   for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   return name;
 }
