@@ -89,8 +89,8 @@ TEST_P(HostSpeedPeer, MovesAsTheCoreDoes) {
   EXPECT_LT(distance_mm(peer.peer().positions(), bar.bar().motion().position), 1.0);
 }
 INSTANTIATE_TEST_SUITE_P(Peer, HostSpeedPeer, testing::Values(PeerMode::kImplicit, PeerMode::kExplicit),
-                         [](const testing::TestParamInfo<PeerMode>& info) {
-                           return info.param == PeerMode::kImplicit ? "implicit" : "explicit";
+                         [](const testing::TestParamInfo<PeerMode>& mode) {
+                           return mode.param == PeerMode::kImplicit ? "implicit" : "explicit";
                          });
 
 TEST_P(HostSpeedPeer, HasTheSameForces) {

@@ -1,6 +1,11 @@
 // Bullet's deformable body. Of its forces, btDeformableLinearElasticityForce is the one with Palpate's law,
 // sigma = 2 mu e + lambda tr(e) I in the frame of a tet's own rotation, and the one that its implicit steps
 // can use; btDeformableCorotatedForce has another volume term and no derivative.
+#ifndef __clang__
+// Bullet's arrays begin as copies of what was never set.
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletSoftBody/btDeformableBodySolver.h>
 #include <BulletSoftBody/btDeformableLinearElasticityForce.h>
@@ -78,6 +83,7 @@ class BulletPeer final : public Peer {
 
   [[nodiscard]] std::vector<reference::Vector> forces() const override {
     std::vector<reference::Vector> forces;
+    forces.reserve(static_cast<std::size_t>(force_at_nodes_.size()));
     for (int i = 0; i < force_at_nodes_.size(); ++i) forces.push_back(from_bullet(force_at_nodes_[i]));
     return forces;
   }
