@@ -148,11 +148,11 @@ void measure_bar(uint32_t rounds, const Show& show, Report& report) {
 
   report.rows = field.rows();
   report.same_bits = same_bits(heavy) && same_bits(light);
-  report.goals = {
-      {"forces, one exact rotation a tet, to Bullet's, a tet", 4.0, ratio_to_peer(field, forces)},
-      {"tick, full corotation, rho 1000, to Bullet's implicit step", 25.0, ratio_to_peer(field, ticks)},
-      {"tick, theta 4.1 deg, to full corotation, rho 1000", 2.0,
-       field.speed_ratio(ticks.grouped.at(kAdaptive), ticks.full.front())}};
+  report.goals = {{"forces with one exact rotation a tet, than Bullet's", 4.0, ratio_to_peer(field, forces)},
+                  {"tick with full corotation at rho 1000, than Bullet's implicit step", 25.0,
+                   ratio_to_peer(field, ticks)},
+                  {"tick at theta 4.1 deg, than with full corotation", 2.0,
+                   field.speed_ratio(ticks.grouped.at(kAdaptive), ticks.full.front())}};
 }
 
 void measure_sizes(uint32_t rounds, const Show& show, Report& report) {
