@@ -91,12 +91,14 @@ void require_substeps_of_profile(const ModelParameters& model) {
 }
 
 template <class Profile>
-void require_front_of_profile(const ModelParameters& model) {
-  if (Profile::kConformingFront || !has_conforming_front(model.remesh.rotation)) return;
-  throw BadInput(fmt::format(
-      "rotations siblings and full need a conforming front, which profile {} has no code for: take rotations "
-      "misfit, or profile {}",
-      Profile::kName, Workstation::kName));
+void require_criteria_of_profile(const ModelParameters& model) {
+  if constexpr (Profile::kStudyCriteria) return;
+  const auto refuse = [](const char* what, const char* instead) {
+    throw BadInput(fmt::format("profile {} has no code for {}: take {}, or profile {}", Profile::kName, what,
+                               instead, Workstation::kName));
+  };
+  if (has_conforming_front(model.remesh.rotation)) refuse("rotations siblings and full", "rotations misfit");
+  if (looks_at_neighbours(model.remesh.stretch)) refuse("stretch strain-jump", "stretch six-edges");
 }
 
 /// Levels that follow from the level at start get their values, so that a summary names them, as it does
@@ -112,7 +114,7 @@ template <class Profile>
 Fit fit(Scenario& scenario) {
   const auto state = std::make_unique<State<Profile>>();
   require_levels_of_profile<Profile>(scenario.model);
-  require_front_of_profile<Profile>(scenario.model);
+  require_criteria_of_profile<Profile>(scenario.model);
   require_substeps_of_profile<Profile>(scenario.model);
   if (scenario.model.substeps == Scenario::kAutomaticSubsteps) {
     scenario.model.substeps = std::min<int>(kMostAutomaticSubsteps, Profile::kSubsteps);

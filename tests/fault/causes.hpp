@@ -10,7 +10,7 @@ namespace palpate::fault {
 
 /// Leaves are examined four a tick: a wrong one is found when its turn comes, or in the next round if a
 /// change of the mesh has taken it to where the walk had been.
-inline constexpr uint32_t kInvariantTicks = 2 * Small::kLeaves / firmware::InvariantWatch::kLeavesATick + 1;
+inline constexpr uint32_t kInvariantTicks = 2 * Small::kLeaves + 1;
 
 class Causes {
  public:

@@ -102,7 +102,7 @@ TEST(Adversarial, ABarInADenseProfileStaysWhole) {
   torment_twice<CuboidDense>(tissue(), in_soak(1000000u, 3000u));
 }
 struct DenseWithConformingFront : CuboidDense {
-  static constexpr bool kConformingFront = true;
+  static constexpr bool kStudyCriteria = true;
 };
 TEST(Adversarial, AConformingFrontStaysWhole) {
   sim::ModelParameters parameters = tissue();

@@ -91,6 +91,35 @@ TEST(Misfit, IsItsFormula) {
   EXPECT_LE(worst, 1.0);
 }
 
+/// A slice of it in every tick: after kMisfitTicks, or twice as many, all misfits are those of now. A group
+/// whose leaves change in the middle of its turn is begun anew.
+TEST(Misfit, IsRenewedInSlices) {
+  Random random(85);
+  uint32_t rounds_with_change = 0;
+  for (int round = 0; round < 30; ++round) {
+    Body body = random_body<GroupsProfile>(random);
+    deform_at_random(body, random, 0.5);
+    MisfitSweep sweep{};
+    sweep.clear();
+    for (uint32_t i = 0; i < random.below(kMisfitTicks); ++i) {
+      renew_misfits(body.forest(), body.front(), *body.groups, sweep);
+    }
+    rounds_with_change += sweep.leaf_at > 0 ? 1u : 0u;
+    deform_at_random(body, random, 0.5);
+    sweep.resume(kNone, 0);  // as if all of the group's leaves were others
+    for (uint32_t i = 0; i < 2 * kMisfitTicks; ++i) {
+      renew_misfits(body.forest(), body.front(), *body.groups, sweep);
+    }
+    const Groups<GroupsProfile> renewed = *body.groups;
+    renew_all_misfits(body.forest(), body.front(), *body.groups);
+    body.for_groups([&](uint16_t g) {
+      ASSERT_EQ(renewed.misfit[g], body.groups->misfit[g]);
+      ASSERT_EQ(renewed.misfit_left[g], body.groups->misfit_left[g]);
+    });
+  }
+  EXPECT_GT(rounds_with_change, 5u);
+}
+
 /// A leaf has nothing to gain from a split.
 TEST(Misfit, OfASingleLeafIsZero) {
   Random random(82);
@@ -141,6 +170,7 @@ TEST(Misfit, SaturatesBeyondOneHalf) {
   const auto turned = fixed_vector<Strain>(Vector3d(0, 0, 2));  // by a right angle
   const Vector3<Strain> back = -turned;
   MisfitSums sums;
+  sums.clear();
   sums.add(turned, 0, 1);
   sums.add(back, 1, 1);
   Misfit misfit{};

@@ -188,8 +188,8 @@ TEST(RemeshRules, ANodeIsDrawnOnlyFromACalmEdge) {
       const Tether& tether = state->tethers.tether[k];
       if (tether.kind != TetherKind::kDraw || tether.ticks_left != kTetherTicks) continue;
       ++drawn;
-      const uint32_t size = size_of_level(state->forest.tet[tether.tet].level);
-      ASSERT_LE(edge_stretch(nodes, tether.end[0], tether.end[1], size), rules.merge_below);
+      const uint8_t level = state->forest.tet[tether.tet].level;
+      ASSERT_LE(refinement_edge_stretch(nodes, tether.end, level), rules.merge_below);
     }
   }
   EXPECT_GT(drawn, 50u);

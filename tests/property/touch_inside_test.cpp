@@ -38,6 +38,7 @@ void stir(Random& random, Forest<InsideProfile>& forest) {
 
 TEST(TouchInside, IsWhatBarycentricCoordinatesSay) {
   Random random(351);
+  const auto sides = std::make_unique<Sides<InsideProfile>>();
   uint32_t inside = 0;
   uint32_t outside = 0;
   for (int round = 0; round < 20; ++round) {
@@ -47,7 +48,7 @@ TEST(TouchInside, IsWhatBarycentricCoordinatesSay) {
       const Vector3d p = doubles(fixed_vector<Position>(2.0 * random.vector()));
       const double depth = depth_in_body(*forest, p);
       if (std::abs(depth) < 1e-3) continue;
-      ASSERT_EQ(is_inside(*forest, fixed_vector<Position>(p)), depth > 0.0) << depth;
+      ASSERT_EQ(is_inside(*forest, fixed_vector<Position>(p), *sides), depth > 0.0) << depth;
       inside += depth > 0.0 ? 1u : 0u;
       outside += depth < 0.0 ? 1u : 0u;
     }

@@ -131,6 +131,20 @@ TEST(TouchSurface, ANodeWhereTooManyMeetIsNotCertain) {
   EXPECT_LT(found.range, Position::ratio(1, 2));
 }
 
+/// More faces in range than may be looked at: what was seen is no whole.
+TEST(TouchSurface, MoreFacesThanLooksAreNotCertain) {
+  using Profile = FewCandidates<4>;
+  const auto forest = roots_of<Profile>(full_block(3, 1, 1));  // 28 faces
+  Candidates<Profile> found;
+  find_candidates(*forest, zero_vector<Position>(), Position::ratio(3, 1), found);
+  EXPECT_LT(found.range, Position::from_raw(0));
+  find_candidates(*forest,
+                  Vector3<Position>(Position::ratio(3, 2), Position::ratio(1, 4), Position::ratio(1, 8)),
+                  Position::ratio(1, 16), found);
+  EXPECT_EQ(found.range, Position::ratio(1, 16));
+  EXPECT_GT(found.count, 0u);
+}
+
 /// Straight behind a face it is inside; in front of it, and beside any edge or corner, outside.
 TEST(TouchSurface, KnowsInsideFromOutside) {
   Random random(314);

@@ -136,7 +136,7 @@ TEST(DeviceCycle, FindsABrokenMesh) {
     (void)device.tick();
     ++ticks;
   }
-  EXPECT_LE(ticks, forest.leaf_count / InvariantWatch::kLeavesATick + 1);
+  EXPECT_LE(ticks, forest.leaf_count + 1u);
   EXPECT_TRUE(device.state().safety.seen.has(Condition::kInvariantBroken));
   EXPECT_EQ(device.tick(EventSet::of(Event::kAcknowledge)).motor_codes, kZeroCodes);
   EXPECT_EQ(device.safety_state(), State::kFault);

@@ -12,6 +12,7 @@
 #include "palpate/tick/profiles.hpp"
 #include "reference/mesh_from_forest.hpp"
 #include "support/fixed.hpp"
+#include "support/misfits.hpp"
 
 namespace palpate::test {
 
@@ -37,9 +38,10 @@ TickOutput tick_once(State<Profile>& state, const TickInput& input) {
   return output;
 }
 
-/// Forces at the nodes' positions, and what they show of each group. Returns the number of clamped leaves.
+/// Forces at the nodes' positions, and what is seen of each group. Returns the number of clamped leaves.
 template <class Profile>
 uint32_t evaluate_forces(State<Profile>& state) {
+  renew_all_misfits(state.forest, state.front, state.groups);
   GroupForces<Profile> forces(state.forest, state.front, state.groups, state.model.materials, state.frame);
   return forces.template evaluate<Observe::kYes>(state.forest.node.position);
 }

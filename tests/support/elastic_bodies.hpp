@@ -5,6 +5,7 @@
 #include "reference/mesh_from_forest.hpp"
 #include "support/fixed.hpp"
 #include "support/fronts.hpp"
+#include "support/misfits.hpp"
 
 namespace palpate::test {
 
@@ -21,6 +22,7 @@ struct ElasticBody {
 
   template <Observe Mode = Observe::kYes>
   uint32_t evaluate() {
+    if constexpr (Mode == Observe::kYes) renew_all_misfits(forest(), front(), *groups);
     return evaluate_at<Mode>(node().position);
   }
   template <Observe Mode = Observe::kYes>

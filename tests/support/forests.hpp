@@ -28,7 +28,7 @@ struct TestProfile {
   static constexpr uint16_t kTethers = 64;
   static constexpr uint32_t kSubsteps = 8;
   static constexpr uint32_t kContactCandidates = 64;
-  static constexpr bool kConformingFront = true;
+  static constexpr bool kStudyCriteria = true;
 };
 
 /// A profile with a group for every leaf, as full corotation needs, and any number of substeps.
@@ -36,7 +36,7 @@ template <class Profile>
 struct WithFullCorotation : Profile {
   static constexpr uint16_t kGroups = Profile::kLeaves;
   static constexpr uint32_t kSubsteps = 8;
-  static constexpr bool kConformingFront = true;
+  static constexpr bool kStudyCriteria = true;
 };
 
 using Bar = TestProfile<1152, 512, 9>;

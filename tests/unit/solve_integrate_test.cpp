@@ -29,10 +29,13 @@ class Integrate : public testing::TestWithParam<int> {
 
   void run_tick(const HoldMotions& motions, const DrivenNode& driven) {
     const auto forces = [&] { push(state_->forest, random_, 0.1); };
-    advance<SmallProfile::kSubsteps>(state_->model.dynamics, forces, forces, [&](uint32_t remaining) {
-      integrate_substep(state_->forest, state_->model.dynamics, motions, driven, remaining, state_->solve,
-                        state_->clamps);
-    });
+    aim_moved_nodes(state_->forest, state_->model.dynamics, motions, driven, state_->solve, state_->clamps);
+    advance<SmallProfile::kSubsteps>(state_->model.dynamics, forces, forces,
+                                     [&](uint32_t) { integrate(driven.node); });
+  }
+
+  void integrate(uint16_t driven) {
+    integrate_substep(state_->forest, state_->model.dynamics, driven, state_->solve, state_->clamps);
   }
 
   [[nodiscard]] uint16_t free_node() const {
@@ -104,42 +107,39 @@ TEST_P(Integrate, DrivenNodeArrivesExactly) {
   }
 }
 
-/// v <- v + f / m - alpha v and x <- x + v, against doubles: half an LSB each.
+/// v <- v + f / m - alpha v and x <- x + v, against doubles: half an LSB each, and of the damping a 32nd
+/// more.
 TEST_P(Integrate, FreeNodesFollowTheFormula) {
-  const HoldMotions still = {RigidMotion::identity(), RigidMotion::identity()};
   const uint16_t node = free_node();
   for (int i = 0; i < 500; ++i) {
     push(state_->forest, random_, 0.3);
     const Vector3d x = doubles(state_->forest.node.position[node]);
     const Vector3d v = doubles(state_->forest.node.velocity[node]);
     const Vector3d f = doubles(state_->forest.node.force[node]);
-    integrate_substep(state_->forest, state_->model.dynamics, still,
-                      DrivenNode{kNone, zero_vector<Position>()}, 1, state_->solve, state_->clamps);
+    integrate(kNone);
     const Vector3d next_v = v + f * sim::to_double(state_->solve.impulse[node]) -
                             sim::to_double(state_->model.dynamics.mass_damping) * v;
     const Vector3d got_v = doubles(state_->forest.node.velocity[node]);
-    ASSERT_LE((got_v - next_v).cwiseAbs().maxCoeff(), std::ldexp(0.501, -36));
+    ASSERT_LE((got_v - next_v).cwiseAbs().maxCoeff(), std::ldexp(0.5 + 1.0 / 32 + 1e-3, -36));
     const Vector3d got_x = doubles(state_->forest.node.position[node]);
     ASSERT_LE((got_x - x - got_v).cwiseAbs().maxCoeff(), std::ldexp(0.5, -27));
     const Vector3d ahead = got_x + sim::to_double(state_->model.dynamics.stiffness_damping) * got_v;
     ASSERT_LE((doubles(state_->solve.force_position[node]) - ahead).cwiseAbs().maxCoeff(),
-              std::ldexp(0.5, -27));
+              std::ldexp(0.502, -27));
   }
 }
 
 TEST_P(Integrate, ClampsSpeedAndPositionAndCountsThem) {
-  const HoldMotions still = {RigidMotion::identity(), RigidMotion::identity()};
-  const DrivenNode nobody{kNone, zero_vector<Position>()};
   const uint16_t node = free_node();
   state_->forest.node.velocity[node] = fixed_vector<Velocity>(Vector3d(0.031, 0, 0));
   push(state_->forest, random_, 0.0);
   state_->forest.node.force[node][0] = sim::to_fixed<Force>(60.0);
   state_->solve.impulse[node] = sim::to_fixed<Impulse>(7.9);
-  integrate_substep(state_->forest, state_->model.dynamics, still, nobody, 1, state_->solve, state_->clamps);
+  integrate(kNone);
   EXPECT_EQ(state_->clamps.speed, 1u);
-  EXPECT_EQ(state_->forest.node.velocity[node][0], Velocity::max());
+  EXPECT_GE(state_->forest.node.velocity[node][0], Velocity::from_raw(0x7fff8000));
   state_->forest.node.position[node][0] = kPositionLimit - Position::from_raw(1);
-  integrate_substep(state_->forest, state_->model.dynamics, still, nobody, 1, state_->solve, state_->clamps);
+  integrate(kNone);
   EXPECT_EQ(state_->clamps.position, 1u);
   EXPECT_EQ(state_->forest.node.position[node][0], kPositionLimit);
   EXPECT_LE(state_->solve.force_position[node][0], sim::to_fixed<Position>(4.0));

@@ -103,16 +103,18 @@ TEST(TickBody, StartRefusesWhatDoesNotFit) {
   EXPECT_EQ(start(*level, compile_model(coarse_bar(1000.0, 1))), Status::kLevelTooDeep);
 }
 
-/// Where the profile has code for the misfit alone.
+/// Where the profile has no code for studies.
 TEST(TickBody, StartRefusesACriterionThatIsNotBuilt) {
   auto state = std::make_unique<State<CuboidDense>>();
   Model model = compile_model(coarse_bar(1000.0, 1));
   for (const RotationCriterion criterion : {RotationCriterion::kSiblings, RotationCriterion::kFull}) {
     model.remesh.rotation.criterion = criterion;
-    EXPECT_EQ(start(*state, model), Status::kNoConformingFront);
+    EXPECT_EQ(start(*state, model), Status::kNoSuchCriterion);
   }
   model.remesh.rotation.criterion = RotationCriterion::kMisfit;
   EXPECT_EQ(start(*state, model), Status::kDone);
+  model.remesh.stretch.criterion = StretchCriterion::kStrainJump;
+  EXPECT_EQ(start(*state, model), Status::kNoSuchCriterion);
 }
 
 TEST(TickBody, StartRefusesMoreSubstepsThanTheProfileHas) {

@@ -7,8 +7,20 @@
 namespace palpate::wcet {
 namespace {
 
-Scoreboard run(const CostModel& model, const PipelineState& entry, const Block& block) {
-  Scoreboard scoreboard(model, entry);
+// An address in the frame comes from sp, by an instruction that reads it for something else than sp itself.
+Frame frame_of(const FunctionGraph& graph) {
+  for (const Block& block : graph.blocks) {
+    for (const Instruction* instruction : block.code) {
+      const bool reads_sp = has(instruction->reads | instruction->shifted_reads, kSp);
+      const bool stores_sp = instruction->memory && instruction->memory->is_store && reads_sp;
+      if (stores_sp || (reads_sp && (instruction->writes & ~only(kSp)) != 0)) return Frame::kShared;
+    }
+  }
+  return Frame::kPrivate;
+}
+
+Scoreboard run(const CostModel& model, const PipelineState& entry, Frame frame, const Block& block) {
+  Scoreboard scoreboard(model, entry, frame);
   for (const Instruction* instruction : block.code) scoreboard.issue(*instruction);
   return scoreboard;
 }
@@ -33,6 +45,7 @@ PipelineState state_after_call(const CostModel& model) {
 }  // namespace
 
 std::vector<Cycles> time_blocks(const CostModel& model, const FunctionGraph& graph) {
+  const Frame frame = frame_of(graph);
   std::vector<PipelineState> entries(graph.blocks.size());
   entries.front() = state_at_entry(model);
   bool changed = true;
@@ -40,7 +53,7 @@ std::vector<Cycles> time_blocks(const CostModel& model, const FunctionGraph& gra
     changed = false;
     for (size_t i = 0; i < graph.blocks.size(); ++i) {
       const Block& block = graph.blocks[i];
-      const PipelineState left = run(model, entries[i], block).state();
+      const PipelineState left = run(model, entries[i], frame, block).state();
       for (const Edge& edge : block.edges) {
         if (edge.to == kReturns || edge.to == kEnds) continue;
         const Cycles exit = exit_cycles(model, block.last(), edge.taken);
@@ -50,7 +63,7 @@ std::vector<Cycles> time_blocks(const CostModel& model, const FunctionGraph& gra
   }
   std::vector<Cycles> cycles = device_cycles(model.devices, graph);
   for (size_t i = 0; i < graph.blocks.size(); ++i)
-    cycles[i] += run(model, entries[i], graph.blocks[i]).cycles();
+    cycles[i] += run(model, entries[i], frame, graph.blocks[i]).cycles();
   return cycles;
 }
 

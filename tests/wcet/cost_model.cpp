@@ -83,10 +83,10 @@ class ModelReader {
       refuse("does not say where the cost of " + name + " is from");
     if (!seen_.emplace(found->second, true).second) refuse("has two costs of " + name);
     CostRow& row = model.rows[static_cast<size_t>(found->second)];
-    const std::map<std::string, Cycles*> fields{{"cycles", &row.cycles},       {"each", &row.each},
-                                                {"each_pair", &row.each_pair}, {"taken", &row.taken},
-                                                {"result", &row.result},       {"address", &row.address},
-                                                {"shift", &row.shift}};
+    const std::map<std::string, Cycles*> fields{
+        {"cycles", &row.cycles}, {"each", &row.each},       {"each_pair", &row.each_pair},
+        {"taken", &row.taken},   {"result", &row.result},   {"address", &row.address},
+        {"shift", &row.shift},   {"indexed", &row.indexed}, {"behind_load", &row.behind_load}};
     for (const auto& [key, value] : *table) {
       const std::string text(key.str());
       if (text == "of" || text == "source") continue;
@@ -109,12 +109,28 @@ CostModel read_cost_model(const std::string& name) {
   return ModelReader(path).read();
 }
 
-Cycles issue_cycles(const CostModel& model, const Instruction& of) {
+namespace {
+
+/// One word or less, and the base stays as it is.
+bool is_single_access(const Instruction& of) {
+  return of.memory && of.transfers == 1 && !of.writeback && of.flow == Flow::kNext;
+}
+
+bool is_behind_load(const Instruction* before, const Instruction& of) {
+  return before != nullptr && is_single_access(*before) && !before->memory->is_store &&
+         is_single_access(of) && (before->writes & of.address_reads) == 0;
+}
+
+}  // namespace
+
+Cycles issue_cycles(const CostModel& model, const Instruction* before, const Instruction& of) {
   const CostRow& row = model.row(of);
   const Cycles registers = of.transfers;
   const Cycles words = (of.address % 4 + of.size + 3) / 4 + (of.cost == CostClass::kLoadLiteral ? 1 : 0);
-  return row.cycles + row.each * registers + row.each_pair * ((registers + 1) / 2) +
-         model.wait_states * words;
+  const Cycles fetch = model.wait_states * words;
+  if (row.behind_load > 0 && is_behind_load(before, of)) return row.behind_load + fetch;
+  const Cycles indexed = of.memory && of.memory->has_index ? row.indexed : 0;
+  return row.cycles + indexed + row.each * registers + row.each_pair * ((registers + 1) / 2) + fetch;
 }
 
 Cycles exit_cycles(const CostModel& model, const Instruction& last, bool taken) {

@@ -16,6 +16,9 @@ struct CostRow {
   Cycles each = 0;       // more, for every register of a list
   Cycles each_pair = 0;  // more, for every two registers begun
   Cycles taken = 0;      // more, when the jump is taken
+  Cycles indexed = 0;    // more, with an offset from a register
+  // Of a single access right behind a single load whose result its address does not need; 0: as otherwise.
+  Cycles behind_load = 0;
   // Further cycles until the result may be read plainly, for an address, and through the shifter.
   Cycles result = 0;
   Cycles address = 0;
@@ -48,8 +51,8 @@ struct CostModel {
 /// `name`: of a model beside the program, or the path of a .toml file. Throws BadInput.
 CostModel read_cost_model(const std::string& name);
 
-/// Until the next instruction may issue.
-Cycles issue_cycles(const CostModel& model, const Instruction& of);
+/// Until the next instruction may issue. `before`: right before it in its block, or nothing.
+Cycles issue_cycles(const CostModel& model, const Instruction* before, const Instruction& of);
 
 /// Of leaving a block by its last instruction.
 Cycles exit_cycles(const CostModel& model, const Instruction& last, bool taken);

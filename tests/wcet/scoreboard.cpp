@@ -24,7 +24,7 @@ PipelineState PipelineState::worst(const CostModel& model) {
   }
   PipelineState state;
   state.ready.fill(slowest);
-  state.store = model.store_to_load;
+  state.frame_store = state.store = model.store_to_load;
   return state;
 }
 
@@ -33,12 +33,14 @@ PipelineState PipelineState::after(Cycles cycles) const {
   for (Ready& of : state.ready) {
     of = {later(of.plain, cycles), later(of.address, cycles), later(of.shift, cycles)};
   }
+  state.frame_store = later(frame_store, cycles);
   state.store = later(store, cycles);
   return state;
 }
 
 bool PipelineState::join(const PipelineState& other) {
   bool changed = raise(store, other.store);
+  changed |= raise(frame_store, other.frame_store);
   for (size_t i = 0; i < ready.size(); ++i) {
     changed |= raise(ready[i].plain, other.ready[i].plain);
     changed |= raise(ready[i].address, other.ready[i].address);
@@ -47,15 +49,18 @@ bool PipelineState::join(const PipelineState& other) {
   return changed;
 }
 
-Scoreboard::Scoreboard(const CostModel& model, const PipelineState& entry)
-    : model_(model), ready_(entry.ready) {
-  stores_.push_back({std::nullopt, entry.store});
+Scoreboard::Scoreboard(const CostModel& model, const PipelineState& entry, Frame frame)
+    : model_(model), frame_(frame), ready_(entry.ready) {
+  stores_.push_back({std::nullopt, entry.store, false});
+  stores_.push_back({std::nullopt, entry.frame_store, true});
 }
 
 PipelineState Scoreboard::state() const {
   PipelineState state;
   state.ready = ready_;
-  for (const PendingStore& store : stores_) raise(state.store, store.until);
+  for (const PendingStore& store : stores_) {
+    raise(store.is_in_frame ? state.frame_store : state.store, store.until);
+  }
   return state.after(now_);
 }
 
@@ -69,12 +74,17 @@ Cycles Scoreboard::operands_ready(const Instruction& instruction) const {
   return at;
 }
 
+bool Scoreboard::is_in_frame(const Instruction& access) const {
+  return frame_ == Frame::kPrivate && access.memory->base == kSp;
+}
+
 // Literals lie in code, where nothing is stored.
 Cycles Scoreboard::memory_ready(const Instruction& instruction) const {
   if (!instruction.memory || instruction.memory->is_store || instruction.memory->base == kPc) return 0;
   const std::optional<AddressRange> range = values_.range_of(instruction);
   Cycles at = 0;
   for (const PendingStore& store : stores_) {
+    if (frame_ == Frame::kPrivate && store.is_in_frame != is_in_frame(instruction)) continue;
     if (!range || !store.range || may_overlap(*range, *store.range)) raise(at, store.until);
   }
   return at;
@@ -93,10 +103,11 @@ void Scoreboard::write_results(const Instruction& instruction) {
 
 void Scoreboard::issue(const Instruction& instruction) {
   now_ = std::max({now_, operands_ready(instruction), memory_ready(instruction)});
-  now_ += issue_cycles(model_, instruction);
+  now_ += issue_cycles(model_, before_, instruction);
+  before_ = &instruction;
   write_results(instruction);
   if (instruction.memory && instruction.memory->is_store) {
-    stores_.push_back({values_.range_of(instruction), now_ + model_.store_to_load});
+    stores_.push_back({values_.range_of(instruction), now_ + model_.store_to_load, is_in_frame(instruction)});
   }
   values_.execute(instruction);
 }

@@ -84,11 +84,11 @@ TEST(CostModel, PaysForEveryWordThatIsFetched) {
   Instruction wide = branch(0, 0);
   wide.cost = CostClass::kAlu;
   wide.size = 4;
-  EXPECT_EQ(issue_cycles(m4, wide), 1);
+  EXPECT_EQ(issue_cycles(m4, nullptr, wide), 1);
   m4.wait_states = 5;
-  EXPECT_EQ(issue_cycles(m4, wide), 1 + 5);
+  EXPECT_EQ(issue_cycles(m4, nullptr, wide), 1 + 5);
   wide.address = 2;
-  EXPECT_EQ(issue_cycles(m4, wide), 1 + 2 * 5);
+  EXPECT_EQ(issue_cycles(m4, nullptr, wide), 1 + 2 * 5);
 }
 
 }  // namespace

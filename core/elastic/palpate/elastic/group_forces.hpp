@@ -2,52 +2,81 @@
 // then needs differences and 7 multiplies, and the sums are rotated back once a node and group.
 #pragma once
 
+#include "palpate/elastic/groups.hpp"
 #include "palpate/elastic/leaf_force.hpp"
 
 namespace palpate {
 
-/// Scratch of one evaluation: positions and forces in the frame of the group at hand, by node. Beside each
-/// other, so that a node is one address.
+/// A rotation's entries below 1, so that a product's high word is its value.
+using FrameEntry = Q<0, 31>;
+
+/// Scratch of one evaluation: the frame of the group at hand, and positions and forces in it by node. Beside
+/// each other, so that a node is one address.
 template <class Profile>
 struct GroupFrame {
   struct Node {
     Vector3<Position> position;
     Vector3<Force> force;
   };
+  Matrix3<FrameEntry> rotation;
+  Matrix3<Strain> gradient;  // R^T F, the volume mean of its leaves
   std::array<Node, Profile::kNodes> node;
 };
 
-/// A rotation's entries below 1, so that a product's high word is its value.
-using FrameEntry = Q<0, 31>;
-
 namespace group_forces_detail {
 
-/// Of a coordinate in the group's frame: +-4 edges.
-inline constexpr int kPositionBits = 30;
-
-/// An entry of 1 becomes the largest one below it; what `clamped` knew is forgotten.
-inline Matrix3<FrameEntry> frame_of(const Quaternion& q, ClampFlag& clamped) {
-  Matrix3<FrameEntry> frame(rotation_matrix(q).unaryExpr(
-      [&clamped](RotationEntry entry) { return FrameEntry::from_raw(2 * clamped.clamp<31>(entry).raw()); }));
-  (void)clamped.take();
-  return frame;
+/// An entry of 1 becomes the largest one below it, which no ClampFlag may take for its own.
+PALPATE_NOINLINE inline void set_frame(const Quaternion& q, Matrix3<FrameEntry>& frame) {
+  const RotationMatrix r = rotation_matrix(q);
+  for (const uint32_t i : bounded<9>(9, [] {})) {
+    frame.data()[i] = FrameEntry::from_raw(2 * within_bits<31>(r.data()[i].raw()));
+  }
 }
 
-/// R^T (x - origin), within +-4 edges so that no edge vector overflows.
-inline Vector3<Position> into_frame(const Matrix3<FrameEntry>& frame, const Vector3<Position>& x,
-                                    const Vector3<Position>& origin, ClampFlag& clamped) {
+/// The frame's entries as variables, whose address nobody has: no store can meet them.
+struct FrameEntries {
+  PALPATE_ALWAYS_INLINE explicit FrameEntries(const Matrix3<FrameEntry>& frame)
+      : xx(frame(0, 0)),
+        xy(frame(0, 1)),
+        xz(frame(0, 2)),
+        yx(frame(1, 0)),
+        yy(frame(1, 1)),
+        yz(frame(1, 2)),
+        zx(frame(2, 0)),
+        zy(frame(2, 1)),
+        zz(frame(2, 2)) {}
+  FrameEntry xx, xy, xz, yx, yy, yz, zx, zy, zz;
+};
+
+/// R^T (x - origin), within +-4 edges so that no edge vector overflows. Rounded once, here and below:
+/// roundings in an order make a body swing that is pressed just so.
+PALPATE_ALWAYS_INLINE Vector3<Position> into_frame(const FrameEntries& r, const Vector3<Position>& x,
+                                                   const Vector3<Position>& origin, ClampFlag& clamped) {
   using Doubled = Q<3, 28>;  // |x - origin| < 8
-  const Vector3<Position> d = x - origin;
-  const Vector3<Doubled> from_origin(Doubled::from_raw(2 * d[0].raw()), Doubled::from_raw(2 * d[1].raw()),
-                                     Doubled::from_raw(2 * d[2].raw()));
-  const Vector3<Position> turned = narrow<Position>(frame.transpose() * from_origin);
-  return Vector3<Position>(clamped.clamp<kPositionBits>(turned[0]), clamped.clamp<kPositionBits>(turned[1]),
-                           clamped.clamp<kPositionBits>(turned[2]));
+  const auto from_origin = [&](Eigen::Index axis) {
+    return Doubled::from_raw(2 * (x[axis] - origin[axis]).raw());
+  };
+  const Vector3<Doubled> d(from_origin(0), from_origin(1), from_origin(2));
+  const auto along = [&](FrameEntry a, FrameEntry b, FrameEntry c) {
+    return clamped.clamp<kPositionBits>(narrow<Position>(a * d[0] + b * d[1] + c * d[2]));
+  };
+  return Vector3<Position>(along(r.xx, r.yx, r.zx), along(r.xy, r.yy, r.zy), along(r.xz, r.yz, r.zz));
+}
+
+/// R f, with |f| < 32 in every component.
+PALPATE_ALWAYS_INLINE Vector3<Force> out_of_frame(const FrameEntries& r, const Vector3<Force>& f) {
+  using Doubled = Q<5, 26>;
+  const auto doubled = [&](Eigen::Index axis) { return Doubled::from_raw(2 * f[axis].raw()); };
+  const Vector3<Doubled> d(doubled(0), doubled(1), doubled(2));
+  const auto along = [&](FrameEntry a, FrameEntry b, FrameEntry c) {
+    return narrow<Force>(a * d[0] + b * d[1] + c * d[2]);
+  };
+  return Vector3<Force>(along(r.xx, r.xy, r.xz), along(r.yx, r.yy, r.yz), along(r.zx, r.zy, r.zz));
 }
 
 }  // namespace group_forces_detail
 
-/// Whether a force evaluation also fills Groups::gradient, misfit and misfit_left.
+/// Whether a force evaluation also fills Groups::gradient.
 enum class Observe : bool { kNo, kYes };
 
 template <class Profile>
@@ -70,14 +99,21 @@ class GroupForces {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
       const Span span = front_.nodes[group];
-      const Matrix3<FrameEntry> r = group_forces_detail::frame_of(groups_.used[group], clamped);
+      group_forces_detail::set_frame(groups_.used[group], frame_.rotation);
+      (void)clamped.take();
+      const group_forces_detail::FrameEntries r(frame_.rotation);
       const Vector3<Position>& origin = at[front_.node_order[span.begin]];
       for (const uint32_t k : nodes.take(span.begin, span.count)) {
         const uint16_t node = front_.node_order[k];
         frame_.node[node] = {group_forces_detail::into_frame(r, at[node], origin, clamped),
                              zero_vector<Force>()};
       }
-      add_leaves<Mode>(group, leaves, clamped);
+      const Span own = front_.leaves[group];
+      if constexpr (Mode == Observe::kYes) {
+        observe_leaves(group, leaves.take(own.begin, own.count), clamped);
+      } else {
+        add_leaves(leaves.take(own.begin, own.count), clamped);
+      }
       clamped_groups += clamped.take() ? 1u : 0u;
       add_to_nodes(r, nodes_back.take(span.begin, span.count));
     }
@@ -85,69 +121,88 @@ class GroupForces {
   }
 
  private:
+  struct SeesNothing {
+    template <class OfLeaf>
+    PALPATE_ALWAYS_INLINE void operator()(const OfLeaf&) const {}
+  };
+  struct AddsGradient {
+    uint32_t depth;
+    Matrix3<Strain>& mean;
+    template <class OfLeaf>
+    PALPATE_ALWAYS_INLINE void operator()(const OfLeaf& force) const {
+      force.add_gradient(depth, mean);
+    }
+  };
+
   void clear_forces() {
     for (const uint32_t i : bounded<Profile::kNodes>(forest_.nodes.used(), [] {})) {
       forest_.node.force[forest_.nodes.live(i)] = zero_vector<Force>();
     }
   }
 
-  /// Forces of a group's leaves, into frame_.
-  template <Observe Mode, class Total>
-  void add_leaves(uint16_t group, Total& leaves, ClampFlag& clamped) {
-    const Span span = front_.leaves[group];
-    const uint8_t group_level = forest_.tet[front_.tet[group]].level;
-    Observation seen;
-    for (const uint32_t k : leaves.take(span.begin, span.count)) {
-      add_leaf<Mode>(forest_.leaf[front_.leaf_order[k]], group_level, seen, clamped);
-    }
-    if constexpr (Mode == Observe::kYes) {
-      groups_.gradient[group] = narrow<Stretch>(rotation_matrix(groups_.used[group]) * seen.mean());
-      seen.misfit().finish(group_level, groups_.misfit[group], groups_.misfit_left[group]);
+  /// Forces of a group's leaves, which `range` goes through, into frame_.
+  template <class Range>
+  PALPATE_ALWAYS_INLINE void add_leaves(Range range, ClampFlag& clamped) {
+    for (const uint32_t k : range) {
+      add_leaf(forest_.leaf[front_.leaf_order[k]], SeesNothing{}, clamped);
     }
   }
+  /// And their mean gradient.
+  template <class Range>
+  PALPATE_ALWAYS_INLINE void observe_leaves(uint16_t group, Range range, ClampFlag& clamped) {
+    const uint8_t group_level = forest_.tet[front_.tet[group]].level;
+    for (const uint32_t i : bounded<9>(9, [] {})) frame_.gradient.data()[i] = Strain::from_raw(0);
+    for (const uint32_t k : range) {
+      const Leaf& leaf = forest_.leaf[front_.leaf_order[k]];
+      const auto depth = static_cast<uint32_t>(leaf.level - group_level);
+      add_leaf(leaf, AddsGradient{depth, frame_.gradient}, clamped);
+    }
+    set_gradient(group);
+  }
+  PALPATE_NOINLINE void set_gradient(uint16_t group) {
+    groups_.gradient[group] = narrow<Stretch>(rotation_matrix(groups_.used[group]) * frame_.gradient);
+  }
 
-  template <Observe Mode>
-  PALPATE_ALWAYS_INLINE void add_leaf(const Leaf& leaf, uint8_t group_level, Observation& seen,
-                                      ClampFlag& clamped) {
+  /// `see` is shown the leaf's LeafForce between its edge vectors and its forces.
+  template <class See>
+  PALPATE_ALWAYS_INLINE void add_leaf(const Leaf& leaf, See see, ClampFlag& clamped) {
     switch (leaf.level) {
       case 0:
-        return add_leaf_of<0, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<0>(leaf, see, clamped);
       case 1:
-        return add_leaf_of<1, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<1>(leaf, see, clamped);
       case 2:
-        return add_leaf_of<2, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<2>(leaf, see, clamped);
       case 3:
-        return add_leaf_of<3, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<3>(leaf, see, clamped);
       case 4:
-        return add_leaf_of<4, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<4>(leaf, see, clamped);
       case 5:
-        return add_leaf_of<5, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<5>(leaf, see, clamped);
       case 6:
-        return add_leaf_of<6, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<6>(leaf, see, clamped);
       case 7:
-        return add_leaf_of<7, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<7>(leaf, see, clamped);
       case 8:
-        return add_leaf_of<8, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<8>(leaf, see, clamped);
       case 9:
-        return add_leaf_of<9, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<9>(leaf, see, clamped);
       case 10:
-        return add_leaf_of<10, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<10>(leaf, see, clamped);
       case 11:
-        return add_leaf_of<11, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<11>(leaf, see, clamped);
       case 12:
-        return add_leaf_of<12, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<12>(leaf, see, clamped);
       case 13:
-        return add_leaf_of<13, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<13>(leaf, see, clamped);
       default:
-        return add_leaf_of<14, Mode>(leaf, group_level, seen, clamped);
+        return add_leaf_of<14>(leaf, see, clamped);
     }
   }
 
   /// Levels that the profile does not have take no code.
-  template <uint8_t Level, Observe Mode>
-  PALPATE_ALWAYS_INLINE void add_leaf_of([[maybe_unused]] const Leaf& leaf,
-                                         [[maybe_unused]] uint8_t group_level,
-                                         [[maybe_unused]] Observation& seen,
+  template <uint8_t Level, class See>
+  PALPATE_ALWAYS_INLINE void add_leaf_of([[maybe_unused]] const Leaf& leaf, [[maybe_unused]] See see,
                                          [[maybe_unused]] ClampFlag& clamped) {
     static_assert(Level <= kDeepestLevel);
     if constexpr (Level <= Profile::kMaxLevel) {
@@ -157,21 +212,19 @@ class GroupForces {
       auto& n3 = frame_.node[leaf.node[3]];
       LeafForce<Level> force(leaf.axes);
       force.gather(n0.position, n1.position, n2.position, n3.position, clamped);
-      if constexpr (Mode == Observe::kYes) {
-        force.observe(leaf, group_level, seen);
-      }
+      see(force);
       force.scatter(materials_[leaf.region], n0.force, n1.force, n2.force, n3.force, clamped);
     }
   }
 
   /// Rotates the sums back. Rounding leaves a net force of some LSB, which the group's first node takes back.
   template <class Range>
-  void add_to_nodes(const Matrix3<FrameEntry>& r, Range range) {
+  PALPATE_ALWAYS_INLINE void add_to_nodes(const group_forces_detail::FrameEntries& r, Range range) {
     Vector3<Force> net = zero_vector<Force>();
     uint16_t first = kNone;
     for (const uint32_t k : range) {
       const uint16_t node = front_.node_order[k];
-      const Vector3<Force> force = narrow<Force>(r * frame_.node[node].force);
+      const Vector3<Force> force = group_forces_detail::out_of_frame(r, frame_.node[node].force);
       forest_.node.force[node] += force;
       net += force;
       first = first == kNone ? node : first;

@@ -1,5 +1,4 @@
-// What elasticity keeps for each group of the rotation front: two rotations, and what the last observing
-// force evaluation saw of it.
+// What elasticity keeps for each group of the rotation front: two rotations, and what was seen of it.
 //
 // `extracted` is the rotation of the group's mean deformation gradient, warm-started from tick to tick.
 // Forces use `used`, which goes to it over kBlendTicks whenever the front changes there, so that no force
@@ -39,9 +38,10 @@ struct Groups {
   std::array<Quaternion, Profile::kGroups> extracted;
   std::array<Quaternion, Profile::kGroups> used;
   std::array<uint8_t, Profile::kGroups> blend;  // ticks until `used` is what it goes to; 0: it is
-  std::array<DeformationGradient, Profile::kGroups> gradient;  // volume mean over the leaves
-  std::array<Misfit, Profile::kGroups> misfit;                 // see misfit.hpp
-  std::array<Misfit, Profile::kGroups> misfit_left;            // its part in the misfit of its parent
+  std::array<DeformationGradient, Profile::kGroups>
+      gradient;                                      // volume mean over the leaves, of the last tick
+  std::array<Misfit, Profile::kGroups> misfit;       // see misfit.hpp and misfit_sweep.hpp
+  std::array<Misfit, Profile::kGroups> misfit_left;  // its part in the misfit of its parent
 };
 
 /// Unrotated and undeformed.

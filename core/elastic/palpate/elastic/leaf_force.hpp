@@ -10,10 +10,18 @@
 // and the coefficients carry the powers of two. Code of its own for each level has them as constants.
 #pragma once
 
-#include "palpate/elastic/observation.hpp"
+#include "palpate/elastic/element_force.hpp"
 #include "palpate/numeric/clamp_flag.hpp"
+#include "palpate/numeric/high_word.hpp"
 
 namespace palpate {
+
+/// The edge vectors of a leaf, row by row, with the axis and the sign (-1 for minus, else 0) of each row.
+struct LeafRows {
+  Position c[3][3];
+  uint32_t axis[3];
+  int32_t minus[3];
+};
 
 template <uint8_t Level>
 class LeafForce {
@@ -32,8 +40,14 @@ class LeafForce {
     gather_row<2>(w0, w1, w2, w3, clamped);
   }
 
-  void observe(const Leaf& leaf, uint8_t group_level, Observation& seen) const {
-    seen.add(rows_, kSize, leaf.path, static_cast<uint32_t>(Level - group_level));
+  /// Adds 2^-depth A to a mean of A = R^T F. From the rows, A[axis j][axis k] = s_k c_jk / h.
+  PALPATE_ALWAYS_INLINE void add_gradient(uint32_t depth, Matrix3<Strain>& mean) const {
+    // For a group of one leaf the largest below 1.
+    const uint32_t power = 0x80000000u >> depth;
+    const auto weight = Q<0, 31>::from_raw(static_cast<int32_t>(power - (power >> 31)));
+    add_column<0>(weight, mean);
+    add_column<1>(weight, mean);
+    add_column<2>(weight, mean);
   }
 
   /// Adds the nodal forces. 7 multiplies.
@@ -77,6 +91,23 @@ class LeafForce {
     rows_.c[Row][2] = clamped.clamp<kStretchBits>(g3);
   }
 
+  /// All of a column is loaded before any of it is stored: a load may have to wait for a store.
+  template <int K>
+  PALPATE_ALWAYS_INLINE void add_column(Q<0, 31> weight, Matrix3<Strain>& mean) const {
+    Strain* column = mean.data() + std::size_t{3} * rows_.axis[K];
+    const Q<0, 31> signed_weight = with_sign(rows_.minus[K], weight);
+    const Strain sum0 = column[rows_.axis[0]];
+    const Strain sum1 = column[rows_.axis[1]];
+    const Strain sum2 = column[rows_.axis[2]];
+    column[rows_.axis[0]] = with_entry(rows_.c[0][K], signed_weight, sum0);
+    column[rows_.axis[1]] = with_entry(rows_.c[1][K], signed_weight, sum1);
+    column[rows_.axis[2]] = with_entry(rows_.c[2][K], signed_weight, sum2);
+  }
+  PALPATE_ALWAYS_INLINE static Strain with_entry(Position c, Q<0, 31> weight, Strain sum) {
+    using Twice = Q<3, 28>;  // |A| <= 4
+    return multiply_add_high(Twice::from_raw(c.raw() * (2 << kSize)), weight, sum);
+  }
+
   /// mu h / 2^t, at most 1/12.
   PALPATE_ALWAYS_INLINE static Q<1, 30> shear(const Material& material) {
     static_assert(ShearCoefficient::kFractionBits == 31);
@@ -116,16 +147,21 @@ class LeafForce {
     tangential(1, 2);
   }
 
+  /// All of a row is loaded before any of it is stored: a load may have to wait for a store that might meet
+  /// it.
   template <int Row>
   PALPATE_ALWAYS_INLINE void scatter_row(const Force (&t)[3], Vector3<Force>& f0, Vector3<Force>& f1,
                                          Vector3<Force>& f2, Vector3<Force>& f3) const {
     const auto& [t1, t2, t3] = t;
-    f0.data()[rows_.axis[Row]] += kType == TetType::kType0   ? t1
-                                  : kType == TetType::kType1 ? t1 + t3
-                                                             : t1 + t2;
-    f1.data()[rows_.axis[Row]] += t2 - t1;
-    f2.data()[rows_.axis[Row]] += kType == TetType::kType2 ? (t3 - t2) + (t3 - t2) : t3 - t2;
-    f3.data()[rows_.axis[Row]] -= kType == TetType::kType0 ? t3 : t3 + t3;
+    const uint32_t axis = rows_.axis[Row];
+    const Force sum0 = f0.data()[axis];
+    const Force sum1 = f1.data()[axis];
+    const Force sum2 = f2.data()[axis];
+    const Force sum3 = f3.data()[axis];
+    f0.data()[axis] = sum0 + (kType == TetType::kType0 ? t1 : kType == TetType::kType1 ? t1 + t3 : t1 + t2);
+    f1.data()[axis] = sum1 + (t2 - t1);
+    f2.data()[axis] = sum2 + (kType == TetType::kType2 ? (t3 - t2) + (t3 - t2) : t3 - t2);
+    f3.data()[axis] = sum3 - (kType == TetType::kType0 ? t3 : t3 + t3);
   }
 
   LeafRows rows_;

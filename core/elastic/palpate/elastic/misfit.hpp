@@ -1,5 +1,5 @@
 // The misfit of a group: what is lost by turning all of its leaves alike, and thus how much there is to gain
-// from splitting it. It falls out of the force loop.
+// from splitting it.
 //
 // A leaf whose own rotation differs from its group's by an angle theta has, with A = R^T F,
 //   w = (A32 - A23, A13 - A31, A21 - A12) / 2,   |w| = sin theta,
@@ -24,7 +24,8 @@ namespace palpate {
 /// Sums over the leaves of a group.
 class MisfitSums {
  public:
-  MisfitSums() : squares_(0) {
+  void clear() {
+    squares_ = 0;
     for (const uint32_t j : bounded<4>(4, [] {})) turn_[j] = zero_vector<Turn>();
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpate/mesh/lattice.hpp"
+#include "palpate/numeric/clamp_flag.hpp"
 
 namespace palpate {
 
@@ -11,15 +12,16 @@ using Velocity = Q<-5, 36>;
 /// Elastic force in E_ref edge^2: +-64, LSB 2^-25 (6e-8 N for 500 Pa and 64 mm).
 using Force = Q<6, 25>;
 
-/// Coordinates stay within +-(4 - 1/32) edges. A substep ahead at the highest speed they are still within
-/// +-4, so no edge vector of the three shapes leaves Position.
-inline constexpr Position kPositionLimit = Position::from_raw(
-    (int32_t{4} << Position::kFractionBits) - (int32_t{1} << (Position::kFractionBits - 5)) - 4);
+/// Coordinates, also those at which forces are evaluated, stay in [-4, 4) edges, so no edge vector of the
+/// three shapes leaves Position.
+inline constexpr int kPositionBits = Position::kFractionBits + 3;
+inline constexpr Position kPositionLimit = Position::from_raw((int32_t{1} << (kPositionBits - 1)) - 1);
 
 inline Vector3<Position> within_position_limit(const Vector3<Position>& x) {
-  return Vector3<Position>(clamp(x[0], -kPositionLimit, kPositionLimit),
-                           clamp(x[1], -kPositionLimit, kPositionLimit),
-                           clamp(x[2], -kPositionLimit, kPositionLimit));
+  const auto within = [](Position along) {
+    return Position::from_raw(within_bits<kPositionBits>(along.raw()));
+  };
+  return Vector3<Position>(within(x[0]), within(x[1]), within(x[2]));
 }
 
 /// One unit is a quarter of the volume of a level-15 tet at the density ratio 1/kDensityOne.

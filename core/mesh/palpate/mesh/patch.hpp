@@ -101,15 +101,27 @@ template <class Profile>
 }
 
 /// The patch to bisect next so that leaf tet `wanted` can be bisected: its own if ready, else a coarser one
-/// that stands in its way. Each step of the descent goes at least one level up.
-template <class Profile>
-[[nodiscard]] MeshStatus find_ready_patch(const Forest<Profile>& forest, uint16_t wanted, Patch& patch) {
-  MeshStatus status = find_patch(forest, wanted, patch);
-  for ([[maybe_unused]] const uint32_t step : bounded<Profile::kMaxLevel>(Profile::kMaxLevel, [] {})) {
-    if (status != MeshStatus::kNotReady) break;
-    status = find_patch(forest, patch.blocker, patch);
+/// that stands in its way. Each step of the descent goes at least one level up, so there are kMaxLevel + 1 at
+/// most. `steps` is a BoundedTotal of them: kNotReady when it has none left.
+template <class Profile, class Total>
+[[nodiscard]] MeshStatus find_ready_patch(const Forest<Profile>& forest, uint16_t wanted, Patch& patch,
+                                          Total& steps) {
+  MeshStatus status = MeshStatus::kNotReady;
+  patch.blocker = wanted;
+  for ([[maybe_unused]] const uint32_t level :
+       bounded<Profile::kMaxLevel + 1u>(Profile::kMaxLevel + 1u, [] {})) {
+    if (status != MeshStatus::kNotReady || steps.left() == 0) break;
+    for ([[maybe_unused]] const uint32_t step : steps.take(0, 1)) {
+      status = find_patch(forest, patch.blocker, patch);
+    }
   }
   return status;
+}
+
+template <class Profile>
+[[nodiscard]] MeshStatus find_ready_patch(const Forest<Profile>& forest, uint16_t wanted, Patch& patch) {
+  auto steps = bounded_total<Profile::kMaxLevel + 1u>([] {});
+  return find_ready_patch(forest, wanted, patch, steps);
 }
 
 /// The parents around the edge whose midpoint leaf tet `start` was made with, if all their children are

@@ -30,8 +30,8 @@ struct RotationFront {
   std::array<Span, kGroups> leaves;
   std::array<Span, kGroups> nodes;
   std::array<uint16_t, Profile::kLeaves> leaf_order;  // places in Forest::leaf
-  std::array<uint16_t, kGroupNodes> node_order;
-  std::array<uint16_t, Profile::kNodes> last_group;  // of each node, while node_order is made
+  std::array<uint16_t, kGroupNodes + 1> node_order;   // the last one is scratch of index_nodes
+  std::array<uint16_t, Profile::kNodes> last_group;   // of each node, while node_order is made
 };
 
 /// Whether a group's tet is the second child of its parent.
@@ -73,13 +73,22 @@ void index_nodes(const Forest<Profile>& forest, RotationFront<Profile>& front) {
     const uint16_t begin = end;
     const Span span = front.leaves[group];
     for (const uint32_t at : leaves.take(span.begin, span.count)) {
-      for (const uint32_t j : bounded<4>(4, [] {})) {
-        const uint16_t node = forest.leaf[front.leaf_order[at]].node[j];
-        if (front.last_group[node] == group) continue;
-        front.last_group[node] = group;
-        front.node_order[end] = node;
-        ++end;
-      }
+      const std::array<uint16_t, 4>& node = forest.leaf[front.leaf_order[at]].node;
+      // 1 for one that is new in this group, without a branch; all before anything is stored.
+      const auto is_new = [&](uint32_t j) {
+        return ((static_cast<uint32_t>(front.last_group[node[j]]) ^ group) + 0xffffu) >> 16;
+      };
+      const std::array<uint32_t, 4> added = {is_new(0), is_new(1), is_new(2), is_new(3)};
+      // Written in any case, and overwritten unless it is new.
+      const auto add = [&](uint32_t j) {
+        front.node_order[end] = node[j];
+        end = static_cast<uint16_t>(end + added[j]);
+        front.last_group[node[j]] = group;
+      };
+      add(0);
+      add(1);
+      add(2);
+      add(3);
     }
     front.nodes[group] = Span{begin, static_cast<uint16_t>(end - begin)};
   }

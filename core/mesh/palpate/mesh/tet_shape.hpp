@@ -16,9 +16,11 @@ namespace palpate {
 
 enum class TetType : uint8_t { kType0 = 0, kType1 = 1, kType2 = 2 };
 
-constexpr TetType type_of_level(uint8_t level) { return static_cast<TetType>(level % 3); }
-/// h = 2^-size_of_level cube edges.
-constexpr uint8_t size_of_level(uint8_t level) { return static_cast<uint8_t>(level / 3); }
+/// h = 2^-size_of_level cube edges. A third of the level, to level 30 without a division.
+constexpr uint8_t size_of_level(uint32_t level) { return static_cast<uint8_t>((level * 11u) >> 5u); }
+constexpr TetType type_of_level(uint32_t level) {
+  return static_cast<TetType>(level - 3u * size_of_level(level));
+}
 
 /// The refinement edge joins w0 and w[refinement_end]; in both children the midpoint takes place
 /// refinement_end.

@@ -25,20 +25,19 @@ struct alignas(uint32_t) Tether {
 template <class Profile>
 struct Tethers {
   static constexpr uint16_t kTethers = Profile::kTethers;
-  static constexpr uint32_t kWords = (Profile::kNodes + 31u) / 32u;
 
   uint16_t count;
   uint16_t peak;
   std::array<Tether, kTethers> tether;
-  std::array<uint32_t, kWords> holds_node;  // a bit a node, so that the question costs nothing
+  std::array<uint8_t, Profile::kNodes> holds_node;  // so that the question costs a load
 
   void clear() {
     count = peak = 0;
-    for (const uint32_t i : bounded<kWords>(kWords, [] {})) holds_node[i] = 0;
+    for (const uint32_t i : bounded<Profile::kNodes>(Profile::kNodes, [] {})) holds_node[i] = 0;
   }
   [[nodiscard]] bool is_full() const { return count == kTethers; }
   /// Whether `node` has a tether; as an end of another one's it has none.
-  [[nodiscard]] bool holds(uint16_t node) const { return (holds_node[node / 32u] & bit_of(node)) != 0; }
+  [[nodiscard]] bool holds(uint16_t node) const { return holds_node[node] != 0; }
   /// The list must not be full.
   void add(const Tether& added) {
     check(!is_full(), "one tether too many");
@@ -46,18 +45,14 @@ struct Tethers {
     tether[count] = added;
     ++count;
     peak = count > peak ? count : peak;
-    holds_node[added.node / 32u] |= bit_of(added.node);
+    holds_node[added.node] = 1;
   }
   /// The last one moves into the gap.
   void remove(uint32_t at) {
-    const uint16_t node = tether[at].node;
-    holds_node[node / 32u] &= ~bit_of(node);
+    holds_node[tether[at].node] = 0;
     --count;
     tether[at] = tether[count];
   }
-
- private:
-  static uint32_t bit_of(uint16_t node) { return uint32_t{1} << (node % 32u); }
 };
 
 }  // namespace palpate

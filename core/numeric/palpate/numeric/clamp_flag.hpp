@@ -7,6 +7,20 @@
 
 namespace palpate {
 
+/// Within -2^(Bits - 1) .. 2^(Bits - 1) - 1. It sets the sticky flag: not while a ClampFlag is in use.
+template <int Bits>
+PALPATE_ALWAYS_INLINE int32_t within_bits(int32_t value) {
+  static_assert(Bits >= 1 && Bits < 32, "palpate: a clamp keeps 1 to 31 bits");
+#ifdef PALPATE_TARGET
+  int32_t within;
+  asm("ssat %0, %1, %2" : "=r"(within) : "I"(Bits), "r"(value));
+  return within;
+#else
+  constexpr int32_t kMost = (int32_t{1} << (Bits - 1)) - 1;
+  return value > kMost ? kMost : value < -kMost - 1 ? -kMost - 1 : value;
+#endif
+}
+
 class ClampFlag {
  public:
   PALPATE_ALWAYS_INLINE ClampFlag() { forget(); }
@@ -19,10 +33,8 @@ class ClampFlag {
     int32_t within;
     asm volatile("ssat %0, %1, %2" : "=r"(within) : "I"(Bits), "r"(value.raw()));
 #else
-    constexpr int32_t kMost = (int32_t{1} << (Bits - 1)) - 1;
-    const int32_t raw = value.raw();
-    const int32_t within = raw > kMost ? kMost : raw < -kMost - 1 ? -kMost - 1 : raw;
-    is_set_ = is_set_ || within != raw;
+    const int32_t within = within_bits<Bits>(value.raw());
+    is_set_ = is_set_ || within != value.raw();
 #endif
     return Fixed::from_raw(within);
   }

@@ -167,19 +167,31 @@ constexpr int64_t shift_right_rounded(int64_t raw, int shift) {
   return shift == 0 ? raw : ((raw >> (shift - 1)) + 1) >> 1;
 }
 
+namespace narrow_detail {
+
+/// The lower 32 bits of raw >> Shift, rounded to nearest.
+template <int Shift>
+constexpr uint32_t rounded_down(uint64_t raw) {
+  if constexpr (Shift == 0) return static_cast<uint32_t>(raw);
+  // Two instructions, the second of which is an addition of a shifted register.
+  if constexpr (Shift == 32) return static_cast<uint32_t>(raw >> 32) + (static_cast<uint32_t>(raw) >> 31);
+  const uint64_t rounded = raw + (uint64_t{1} << (Shift - 1));
+  // Up to 32 a logical shift gives the same bits as an arithmetic one; gcc then sees that only 32 of them are
+  // left and multiplies them as such.
+  return Shift <= 32 ? static_cast<uint32_t>(rounded >> Shift)
+                     : static_cast<uint32_t>(static_cast<int64_t>(rounded) >> Shift);
+}
+
+}  // namespace narrow_detail
+
 /// The way back from 64 bits: a shift, rounded to nearest. The caller knows that the value fits.
 template <class To, int F>
 constexpr To narrow(Acc<F> acc) {
   constexpr int kShift = F - To::kFractionBits;
   static_assert(kShift >= 0, "palpate: narrow only drops fraction bits; widen the factors instead");
-  auto rounded = static_cast<uint64_t>(acc.raw());
-  if constexpr (kShift > 0) rounded += uint64_t{1} << (kShift - 1);
-  // Up to 32 a logical shift gives the same bits as an arithmetic one; gcc then sees that only 32 of them are
-  // left and multiplies them as such.
-  const uint64_t shifted =
-      kShift <= 32 ? rounded >> kShift : static_cast<uint64_t>(static_cast<int64_t>(rounded) >> kShift);
-  const auto low = static_cast<int32_t>(static_cast<uint32_t>(shifted));
-  check(low == static_cast<int64_t>(rounded) >> kShift, "narrow leaves 32 bits");
+  const auto low =
+      static_cast<int32_t>(narrow_detail::rounded_down<kShift>(static_cast<uint64_t>(acc.raw())));
+  check(low == shift_right_rounded(acc.raw(), kShift), "narrow leaves 32 bits");
   return To::from_raw(low);
 }
 
@@ -211,6 +223,12 @@ template <int I, int F>
 constexpr Q<I, F> clamp(Q<I, F> value, Q<I, F> low, Q<I, F> high) {
   const Q<I, F> at_least_low = value < low ? low : value;
   return at_least_low > high ? high : at_least_low;
+}
+
+/// value for 0, -value for -1: without a branch.
+template <int I, int F>
+constexpr Q<I, F> with_sign(int32_t minus, Q<I, F> value) {
+  return Q<I, F>::from_raw((value.raw() ^ minus) - minus);
 }
 
 template <int I, int F>

@@ -46,8 +46,15 @@ class MeshChanges {
 
  private:
   using Urgency = Urgencies<Profile>;
-  struct Budget {
-    uint32_t patches, tets;
+  static constexpr uint32_t kLooks = MostUrgent<Profile>::kLooks;
+  static constexpr uint32_t kSteps = kLooks + Profile::kMaxLevel;
+  struct StepsTotal {};
+  struct SplitsTotal {};
+  /// Of a tick: patches that are looked at on the way to those that are ready, and those that are bisected.
+  struct SplitBudget {
+    decltype(bounded_total<kSteps>(StepsTotal{})) steps;
+    decltype(bounded_total<Profile::kPatches>(SplitsTotal{})) patches;
+    uint32_t tets;
   };
   struct LooksTotal {};
   struct MergesTotal {};
@@ -63,10 +70,11 @@ class MeshChanges {
   void split_most_urgent() {
     MostUrgent<Profile> wanted;
     waiting_ = find_most_urgent(
-        forest_, urgencies_, [this](const Leaf& leaf) { return is_tethered(refinement_edge(leaf)); }, wanted);
-    Budget left{Profile::kPatches, Profile::kTetsSplit};
-    for (const uint32_t i : bounded<MostUrgent<Profile>::kLooks>(wanted.count, [] {})) {
-      if (left.patches == 0) break;
+        forest_, urgencies_, [this](const Leaf& leaf) { return tethered(refinement_edge(leaf)); }, wanted);
+    SplitBudget left{bounded_total<kSteps>(StepsTotal{}), bounded_total<Profile::kPatches>(SplitsTotal{}),
+                     Profile::kTetsSplit};
+    for (const uint32_t i : bounded<kLooks>(wanted.count, [] {})) {
+      if (left.patches.left() == 0) break;
       const uint16_t tet = wanted.tet[i];
       if (!forest_.tet[tet].is_leaf) continue;  // split by an earlier patch
       urgencies_.split_at = static_cast<uint16_t>(forest_.tet[tet].link + 1);
@@ -76,15 +84,17 @@ class MeshChanges {
     if (waiting_.all > waiting_.blocked && flags_ == 0) flag(RemeshFlag::kPatchBudget);
   }
 
-  /// No edge is split at a slaved node.
-  [[nodiscard]] bool is_tethered(const EdgeEnds& ends) const {
-    return tethers_.holds(ends[0]) || tethers_.holds(ends[1]);
+  /// No edge is split at a slaved node. 0 or 1, without a branch.
+  [[nodiscard]] uint32_t tethered(const EdgeEnds& ends) const {
+    return static_cast<uint32_t>(tethers_.holds_node[ends[0]]) | tethers_.holds_node[ends[1]];
   }
+  [[nodiscard]] bool is_tethered(const EdgeEnds& ends) const { return tethered(ends) != 0; }
 
   /// Splits the patch of a leaf, or the coarser one in its way. False when nothing more can be split now.
-  bool split_towards(uint16_t tet, Budget& left) {
+  bool split_towards(uint16_t tet, SplitBudget& left) {
     Patch patch{};
-    const MeshStatus found = find_ready_patch(forest_, tet, patch);
+    const MeshStatus found = find_ready_patch(forest_, tet, patch, left.steps);
+    if (found == MeshStatus::kNotReady) return false;
     if (found != MeshStatus::kDone || !stays_within_levels(patch)) {
       urgencies_.of[tet] = Urgency::kBarred;
       --waiting_.all;
@@ -98,18 +108,22 @@ class MeshChanges {
     }
     if (patch.count > left.tets) return false;
     if (tethers_.is_full()) return refuse(RemeshFlag::kTethers);
+    left.tets -= patch.count;
+    bool is_split = false;
+    for ([[maybe_unused]] const uint32_t once : left.patches.take(0, 1)) is_split = split(patch, ends);
+    return is_split;
+  }
+
+  bool split(const Patch& patch, const EdgeEnds& ends) {
     switch (bisect(forest_, patch)) {
       case MeshStatus::kDone:
-        break;
+        after_split(patch, ends);
+        return true;
       case MeshStatus::kNodesFull:
         return refuse(RemeshFlag::kNodes);
       default:
         return refuse(RemeshFlag::kLeaves);
     }
-    --left.patches;
-    left.tets -= patch.count;
-    after_split(patch, ends);
-    return true;
   }
 
   /// Also a coarser patch in a leaf's way, perhaps of another region, must not pass its region's finest
@@ -227,8 +241,7 @@ class MeshChanges {
   /// and let go for ever.
   [[nodiscard]] bool restores_above(StretchMeasure limit, const Patch& patch, const EdgeEnds& ends) const {
     if (rules_.criterion != StretchCriterion::kLongestEdge) return false;
-    const uint32_t size = size_of_level(forest_.tet[patch.tet[0]].level);
-    return edge_stretch(forest_.node, ends[0], ends[1], size) > limit;
+    return refinement_edge_stretch(forest_.node, ends, forest_.tet[patch.tet[0]].level) > limit;
   }
 
   /// Starts to draw the middle nodes of calm patches.

@@ -33,7 +33,8 @@ class RotationChanges {
         rotations_(rotations),
         counters_(counters),
         leaves_(bounded_total<Profile::kLeaves>(LeavesTotal{})),
-        budget_(Profile::kRotationChanges) {}
+        begun_(bounded_total<Profile::kRotationChanges>(BegunTotal{})),
+        ended_(bounded_total<Profile::kRotationChanges>(EndedTotal{})) {}
 
   /// Returns RemeshFlag bits; `changed` says whether the lists of the front need index_groups.
   uint32_t run(bool& changed) {
@@ -46,14 +47,15 @@ class RotationChanges {
 
  private:
   struct LeavesTotal {};
-  using Total = decltype(bounded_total<Profile::kLeaves>(LeavesTotal{}));
+  struct BegunTotal {};
+  struct EndedTotal {};
 
   using Class = uint8_t;
   static constexpr Class kNotWanted = 255;
 
   void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }
   [[nodiscard]] bool is_conforming() const {
-    return Profile::kConformingFront && has_conforming_front(rules_.criterion);
+    return Profile::kStudyCriteria && has_conforming_front(rules_.criterion);
   }
   [[nodiscard]] uint8_t level_of(uint16_t group) const { return forest_.tet[front_.tet[group]].level; }
   [[nodiscard]] bool is_leaf(uint16_t group) const { return forest_.tet[front_.tet[group]].is_leaf; }
@@ -67,15 +69,18 @@ class RotationChanges {
       const uint16_t group = front_.groups.live(count - 1 - i);
       const uint16_t partner = front_.partner[group];
       if (partner == kNone || is_second_of_pair(front_, group) || rotations_.is_blending(group)) continue;
-      if (!is_conforming() && worst_of(group, partner) > rules_.split_above) {
-        part(group, partner);
-      } else if (front_.leaves[partner].count <= leaves_.left()) {
-        join_groups(forest_, front_, group, partner, leaves_);
-        rotations_.take_over(group, partner);
-        ++counters_.groups_joined;
-        changed_ = true;
-      }
+      if (ended_.left() == 0) return;
+      for ([[maybe_unused]] const uint32_t once : ended_.take(0, 1)) end_join(group, partner);
     }
+  }
+
+  void end_join(uint16_t group, uint16_t partner) {
+    if (!is_conforming() && worst_of(group, partner) > rules_.split_above) return part(group, partner);
+    if (front_.leaves[partner].count > leaves_.left()) return;
+    join_groups(forest_, front_, group, partner, leaves_);
+    rotations_.take_over(group, partner);
+    ++counters_.groups_joined;
+    changed_ = true;
   }
 
   [[nodiscard]] uint32_t worst_of(uint16_t group, uint16_t partner) const {
@@ -126,7 +131,7 @@ class RotationChanges {
     if (wanted == 0) return;
     const auto room = static_cast<uint32_t>(Profile::kGroups - front_.groups.used());
     const uint32_t each = is_conforming() ? kMaxPatch : 1;  // at most so many are split for one that wants it
-    const uint32_t lowest = classes.lowest_within((budget_ < room ? budget_ : room) / each);
+    const uint32_t lowest = classes.lowest_within((begun_.left() < room ? begun_.left() : room) / each);
     (void)(split_classes(lowest + 1, kClasses) && split_classes(lowest, lowest + 1) &&
            split_classes(0, lowest));
   }
@@ -174,7 +179,7 @@ class RotationChanges {
       ++members;
       leaves += front_.leaves[group].count;
     }
-    if (members > budget_) return refuse(RemeshFlag::kRotationBudget);
+    if (members > begun_.left()) return refuse(RemeshFlag::kRotationBudget);
     if (leaves > leaves_.left()) return false;
     if (!front_.groups.has_room(members)) return refuse(RemeshFlag::kGroups);
     for (const uint32_t i : bounded<kMaxPatch>(members, [] {})) {
@@ -190,16 +195,17 @@ class RotationChanges {
   }
 
   bool split_one(uint16_t group) {
-    if (budget_ == 0) return refuse(RemeshFlag::kRotationBudget);
+    if (begun_.left() == 0) return refuse(RemeshFlag::kRotationBudget);
     if (front_.leaves[group].count > leaves_.left()) return false;
-    const uint16_t added = split_group(forest_, front_, group, leaves_);
-    if (added == kNone) return refuse(RemeshFlag::kGroups);
-    rotations_.inherit(group, added);
-    drop(group);
-    wanted_[added] = kNotWanted;
-    --budget_;
-    ++counters_.groups_split;
-    changed_ = true;
+    if (!front_.groups.has_room(1)) return refuse(RemeshFlag::kGroups);
+    for ([[maybe_unused]] const uint32_t once : begun_.take(0, 1)) {
+      const uint16_t added = split_group(forest_, front_, group, leaves_);
+      rotations_.inherit(group, added);
+      drop(group);
+      wanted_[added] = kNotWanted;
+      ++counters_.groups_split;
+      changed_ = true;
+    }
     return true;
   }
 
@@ -216,7 +222,8 @@ class RotationChanges {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
       if (!can_join(group)) continue;
-      const bool fits = is_conforming() ? begin_patch(forest_.parent_of(front_.tet[group])) : budget_ > 0;
+      const bool fits =
+          is_conforming() ? begin_patch(forest_.parent_of(front_.tet[group])) : begun_.left() > 0;
       if (!fits) {
         flag(RemeshFlag::kRotationBudget);
         return;
@@ -240,12 +247,13 @@ class RotationChanges {
 
   /// The pair extracts its parent's rotation from now on, which counts as a change.
   void begin_join(uint16_t group) {
-    const uint16_t other = sibling_of(group);
-    front_.partner[group] = other;
-    front_.partner[other] = group;
-    rotations_.blend(group);
-    rotations_.blend(other);
-    --budget_;
+    for ([[maybe_unused]] const uint32_t once : begun_.take(0, 1)) {
+      const uint16_t other = sibling_of(group);
+      front_.partner[group] = other;
+      front_.partner[other] = group;
+      rotations_.blend(group);
+      rotations_.blend(other);
+    }
   }
 
   /// All pairs whose parents are around one edge, or none while some are not calm. False when they are and
@@ -258,7 +266,7 @@ class RotationChanges {
       if (front_.tet[group] == patch.tet[i]) continue;
       if (!is_first_child(group, patch.tet[i]) || !can_join(group)) return true;
     }
-    if (patch.count > budget_) return false;
+    if (patch.count > begun_.left()) return false;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const uint16_t group = first_group(patch.tet[i]);
       if (front_.tet[group] != patch.tet[i]) begin_join(group);
@@ -278,9 +286,10 @@ class RotationChanges {
   const RotationRules& rules_;
   Rotations& rotations_;
   RemeshCounters& counters_;
-  Total leaves_;
+  decltype(bounded_total<Profile::kLeaves>(LeavesTotal{})) leaves_;
+  decltype(bounded_total<Profile::kRotationChanges>(BegunTotal{})) begun_;  // splits and joins
+  decltype(bounded_total<Profile::kRotationChanges>(EndedTotal{})) ended_;  // joins
   std::array<Class, Profile::kGroups> wanted_;  // of each group in use, set by find_wanted
-  uint32_t budget_;
   uint32_t flags_ = 0;
   bool changed_ = false;
 };

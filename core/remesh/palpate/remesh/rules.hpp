@@ -13,7 +13,7 @@ enum class RotationCriterion : uint8_t {
   kMisfit     // what splitting the group would gain (elastic/misfit.hpp)
 };
 
-/// Of which profiles need Profile::kConformingFront.
+/// Of the criteria for studies, which only a profile with kStudyCriteria has code for.
 constexpr bool has_conforming_front(RotationCriterion criterion) {
   return criterion != RotationCriterion::kMisfit;
 }
@@ -32,6 +32,11 @@ enum class StretchCriterion : uint8_t {
   kSixEdges,     // the largest of all edges
   kStrainJump    // twice the largest entry of the difference of Green strains to a neighbour across a face
 };
+
+/// As has_conforming_front: as dear as all other criteria together.
+constexpr bool looks_at_neighbours(StretchCriterion criterion) {
+  return criterion == StretchCriterion::kStrainJump;
+}
 
 /// Of a region's leaves; start() wants the level that the mesh starts at in it.
 struct LevelRange {

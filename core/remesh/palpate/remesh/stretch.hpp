@@ -11,41 +11,32 @@ namespace palpate {
 /// 0 .. 16, LSB 2^-27.
 using StretchMeasure = Q<4, 27>;
 
+/// (h / l0)^2 of an edge, a quarter of it.
+using InverseSquare = Q<0, 31>;
+
 namespace stretch_detail {
 
-/// Squared rest lengths of edges in quarters of h^2 are 1, 2, 3, 4, 8 and 12.
-inline constexpr uint32_t kMostQuarters = 12;
-using Inverse = Q<0, 31>;
-inline constexpr Inverse kNoEdge = Inverse::from_raw(0);
-inline constexpr auto kInverse = [] {
-  std::array<Inverse, kMostQuarters + 1> inverse{};
-  inverse[1] = Inverse::max();  // 1 is not in the format
-  inverse[2] = Inverse::ratio(1, 2);
-  inverse[3] = Inverse::ratio(1, 3);
-  inverse[4] = Inverse::ratio(1, 4);
-  inverse[8] = Inverse::ratio(1, 8);
-  inverse[12] = Inverse::ratio(1, 12);
-  return inverse;
-}();
-
-/// |a - b|^2 of the rest points of an edge's ends, in quarters of h^2.
-inline uint32_t quarters(LatticePoint a, LatticePoint b, uint32_t size) {
-  const int32_t x = a.x - b.x;
-  const int32_t y = a.y - b.y;
-  const int32_t z = a.z - b.z;
-  const auto square = static_cast<uint32_t>(x * x + y * y + z * z);
-  const uint32_t scaled = (4u * square) >> (2u * (kLatticeBits - size));
-  const uint32_t quarters = scaled < kMostQuarters ? scaled : kMostQuarters;
-  check(kInverse[quarters] != kNoEdge, "no edge has this length at rest");
-  return quarters;
+/// Of an edge whose squared length at rest is so many quarters of h^2; 1 is not in the format.
+constexpr InverseSquare of_quarters(int quarters) {
+  return quarters == 1 ? InverseSquare::max() : InverseSquare::ratio(1, quarters);
 }
+
+/// The places of the six edges' ends, and the edges by type.
+inline constexpr uint8_t kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+inline constexpr InverseSquare kInverses[3][6] = {
+    {of_quarters(4), of_quarters(8), of_quarters(12), of_quarters(4), of_quarters(8), of_quarters(4)},
+    {of_quarters(4), of_quarters(8), of_quarters(3), of_quarters(4), of_quarters(3), of_quarters(3)},
+    {of_quarters(4), of_quarters(2), of_quarters(3), of_quarters(2), of_quarters(3), of_quarters(1)}};
+/// From w0 to w3, w2 and w1.
+inline constexpr InverseSquare kInversesOfRefinementEdge[3] = {kInverses[0][2], kInverses[1][1],
+                                                               kInverses[2][0]};
 
 }  // namespace stretch_detail
 
-/// (l / l0)^2 - 1 of the edge between two nodes of a leaf of this size; 0 when it is shorter than at rest.
+/// (l / l0)^2 - 1 of the edge between two nodes; 0 when it is shorter than at rest. h = 2^-size.
 template <uint16_t Capacity>
-StretchMeasure edge_stretch(const NodeState<Capacity>& node, uint16_t a, uint16_t b, uint32_t size) {
-  const uint32_t quarters = stretch_detail::quarters(node.rest[a], node.rest[b], size);
+StretchMeasure edge_stretch(const NodeState<Capacity>& node, uint16_t a, uint16_t b, uint32_t size,
+                            InverseSquare inverse) {
   // In units of h, within +-4.
   using Length = Q<4, 27>;
   constexpr int32_t kLimit = int32_t{4} << Length::kFractionBits;
@@ -60,28 +51,34 @@ StretchMeasure edge_stretch(const NodeState<Capacity>& node, uint16_t a, uint16_
   const Length y = component(1);
   const Length z = component(2);
   const auto square = narrow<Q<6, 25>>(x * x + y * y + z * z);  // (l / h)^2, at most 48
-  const Acc<54> ratio = Acc<54>::from_raw((square * stretch_detail::kInverse[quarters]).raw());
+  const Acc<54> ratio = Acc<54>::from_raw((square * inverse).raw());
   const auto stretch = narrow_saturated<StretchMeasure>(ratio - widen<54>(StretchMeasure::ratio(1, 1)));
   return stretch < StretchMeasure::from_raw(0) ? StretchMeasure::from_raw(0) : stretch;
 }
 
-/// Of the edge that a bisection would halve.
+/// Of the edge that a bisection halves, of a tet at this level.
+template <uint16_t Capacity>
+StretchMeasure refinement_edge_stretch(const NodeState<Capacity>& node, const EdgeEnds& ends, uint8_t level) {
+  return edge_stretch(node, ends[0], ends[1], size_of_level(level),
+                      stretch_detail::kInversesOfRefinementEdge[static_cast<uint32_t>(type_of_level(level))]);
+}
+
 template <class Profile>
 StretchMeasure longest_edge_stretch(const Forest<Profile>& forest, const Leaf& leaf) {
-  const EdgeEnds edge = refinement_edge(leaf);
-  return edge_stretch(forest.node, edge[0], edge[1], size_of_level(leaf.level));
+  return refinement_edge_stretch(forest.node, refinement_edge(leaf), leaf.level);
 }
 
 /// The largest of all six edges.
 template <class Profile>
 StretchMeasure largest_edge_stretch(const Forest<Profile>& forest, const Leaf& leaf) {
+  const auto& inverses = stretch_detail::kInverses[static_cast<uint32_t>(type_of_level(leaf.level))];
+  const uint32_t size = size_of_level(leaf.level);
   StretchMeasure largest = StretchMeasure::from_raw(0);
-  for (const uint32_t i : bounded<3>(3, [] {})) {
-    for (const uint32_t j : bounded<3>(3 - i, [] {})) {
-      const StretchMeasure stretch =
-          edge_stretch(forest.node, leaf.node[i], leaf.node[i + 1 + j], size_of_level(leaf.level));
-      largest = stretch > largest ? stretch : largest;
-    }
+  for (const uint32_t edge : bounded<6>(6, [] {})) {
+    const uint8_t* ends = stretch_detail::kEdges[edge];
+    const StretchMeasure stretch =
+        edge_stretch(forest.node, leaf.node[ends[0]], leaf.node[ends[1]], size, inverses[edge]);
+    largest = stretch > largest ? stretch : largest;
   }
   return largest;
 }

@@ -8,7 +8,7 @@
 namespace palpate {
 
 /// Ticks to renew all urgencies.
-inline constexpr uint32_t kSweepTicks = 8;
+inline constexpr uint32_t kSweepTicks = 16;
 
 template <class Profile>
 struct Urgencies {
@@ -41,14 +41,11 @@ inline bool touches(const Leaf& leaf, uint16_t node) {
 
 template <class Profile>
 StretchMeasure stretch_measure(const Forest<Profile>& forest, const Leaf& leaf, StretchCriterion criterion) {
-  switch (criterion) {
-    case StretchCriterion::kLongestEdge:
-      return longest_edge_stretch(forest, leaf);
-    case StretchCriterion::kSixEdges:
-      return largest_edge_stretch(forest, leaf);
-    default:
-      return strain_jump(forest, leaf);
+  if constexpr (Profile::kStudyCriteria) {
+    if (criterion == StretchCriterion::kStrainJump) return strain_jump(forest, leaf);
   }
+  return criterion == StretchCriterion::kLongestEdge ? longest_edge_stretch(forest, leaf)
+                                                     : largest_edge_stretch(forest, leaf);
 }
 
 /// `before`: its last one. A leaf that has to wait becomes a little more urgent with every renewal. Leaves at
@@ -96,19 +93,22 @@ struct MostUrgent {
   std::array<uint8_t, kLooks> urgency;
   uint32_t count = 0;
 
-  void offer(uint16_t candidate, uint8_t how_urgent) {
-    const bool full = count == kLooks;
-    if (full && urgency[count - 1] >= how_urgent) return;
-    uint32_t at = full ? count - 1 : count;
+  /// What an offer must be more urgent than.
+  [[nodiscard]] uint32_t least() const {
+    return count == kLooks ? urgency[kLooks - 1] : Urgencies<Profile>::kWanted - 1u;
+  }
+  /// Behind those that are as urgent; the least urgent one goes when there is no room.
+  void offer(uint16_t offered, uint8_t how_urgent) {
+    count += count == kLooks ? 0u : 1u;
+    uint32_t at = count - 1;
     for ([[maybe_unused]] const uint32_t i : bounded<kLooks>(at, [] {})) {
       if (urgency[at - 1] >= how_urgent) break;
       tet[at] = tet[at - 1];
       urgency[at] = urgency[at - 1];
       --at;
     }
-    tet[at] = candidate;
+    tet[at] = offered;
     urgency[at] = how_urgent;
-    count += full ? 0u : 1u;
   }
 };
 
@@ -118,27 +118,29 @@ struct Waiting {
 };
 
 /// Goes through all leaves, from split_at on, so that equally urgent ones take turns. Leaves that are asleep
-/// or that `is_blocked(leaf)` are passed over.
+/// or that `is_blocked(leaf)` are passed over. Where each is more urgent than the ones before, the search
+/// takes no more than kOffers; those behind have their turn in a later tick.
 template <class Profile, class IsBlocked>
 Waiting find_most_urgent(const Forest<Profile>& forest, Urgencies<Profile>& urgencies, IsBlocked is_blocked,
                          MostUrgent<Profile>& wanted) {
   using Urgency = Urgencies<Profile>;
+  constexpr uint32_t kOffers = 8 * MostUrgent<Profile>::kLooks;
+  auto offers = bounded_total<kOffers>([] {});
   Waiting waiting{0, 0};
   if (urgencies.split_at >= forest.leaf_count) urgencies.split_at = 0;
   uint32_t at = urgencies.split_at;
+  uint32_t least = wanted.least();
   for ([[maybe_unused]] const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
     const Leaf& leaf = forest.leaf[at];
     const uint8_t urgency = urgencies.of[leaf.tet];
-    if (urgency >= Urgency::kWanted) {
-      ++waiting.all;
-      if (urgency > Urgency::kMost || is_blocked(leaf)) {
-        ++waiting.blocked;
-      } else {
-        wanted.offer(leaf.tet, urgency);
-      }
-    }
-    ++at;
-    if (at == forest.leaf_count) at = 0;
+    const uint32_t is_wanted = urgency >= Urgency::kWanted ? 1u : 0u;
+    const uint32_t is_passed_over = (urgency > Urgency::kMost ? 1u : 0u) | is_blocked(leaf);
+    waiting.all += is_wanted;
+    waiting.blocked += is_wanted & is_passed_over;
+    at = at + 1 == forest.leaf_count ? 0 : at + 1;
+    if (is_passed_over != 0 || urgency <= least || offers.left() == 0) continue;
+    for ([[maybe_unused]] const uint32_t once : offers.take(0, 1)) wanted.offer(leaf.tet, urgency);
+    least = wanted.least();
   }
   return waiting;
 }

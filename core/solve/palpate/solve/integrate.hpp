@@ -5,6 +5,7 @@
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
+#include "palpate/numeric/high_word.hpp"
 #include "palpate/solve/dynamics.hpp"
 
 namespace palpate {
@@ -24,8 +25,8 @@ struct DrivenNode {
 };
 
 struct ClampCounters {
-  uint32_t speed;     // nodes faster than +-1/32 edge a substep
-  uint32_t position;  // nodes beyond +-4 edges
+  uint32_t speed;     // substeps in which a node was faster than +-1/32 edge a substep
+  uint32_t position;  // substeps in which a node was beyond +-4 edges
   uint32_t strain;    // leaves beyond the strain or stress limit
 };
 
@@ -45,46 +46,69 @@ inline NodeControl control_of(LatticePoint rest, const HeldRegions& held) {
 
 namespace integrate_detail {
 
-/// v + f impulse - alpha_M dt v in one rounding, clamped to the range of Velocity.
-inline Velocity next_velocity(Velocity v, Force f, Impulse impulse, Q<-5, 36> mass_damping,
-                              uint32_t& clamped) {
+/// A number that the compiler takes as it comes, so that it multiplies by a power of two in the instruction
+/// that adds, instead of shifting a register pair.
+PALPATE_ALWAYS_INLINE int32_t as_factor(int32_t value) {
+#ifdef PALPATE_TARGET
+  asm("" : "+r"(value));
+#endif
+  return value;
+}
+
+/// v + f impulse - alpha_M dt v, within the range of Velocity: the upper half of what is beyond becomes the
+/// limit's, so its error is 2^-16 of it.
+PALPATE_ALWAYS_INLINE Velocity next_velocity(Velocity v, Force f, Impulse impulse, Q<-5, 36> mass_damping,
+                                             uint32_t& clamped) {
+  using Drag = Q<-9, 40>;
   constexpr int kBits = Force::kFractionBits + Impulse::kFractionBits;
-  const Acc<kBits> kick = f * impulse;
-  const Acc<72> drag = v * mass_damping;
-  const auto sum = widen<kBits>(v) + kick - Acc<kBits>::from_raw(drag.raw() >> (72 - kBits));
-  const int64_t rounded = shift_right_rounded(sum.raw(), kBits - Velocity::kFractionBits);
-  const int64_t limit = Velocity::max().raw();
-  const int64_t low = rounded < -limit ? -limit : rounded;
-  const int64_t within = low > limit ? limit : low;
-  clamped |= within != rounded ? 1u : 0u;
-  return Velocity::from_raw(static_cast<int32_t>(within));
+  constexpr int kShift = kBits - Velocity::kFractionBits;
+  const Drag drag = multiply_high<Drag>(v, mass_damping);
+  int64_t sum = int64_t{f.raw()} * impulse.raw();
+  sum += int64_t{v.raw()} * as_factor(1 << kShift);
+  sum += int64_t{drag.raw()} * as_factor(-(1 << (kBits - Drag::kFractionBits)));
+  sum += int64_t{1} << (kShift - 1);
+  const auto high = static_cast<int32_t>(sum >> 32);
+  const int32_t within = within_bits<kShift>(high);
+  clamped |= static_cast<uint32_t>(high ^ within);
+  const uint32_t low = static_cast<uint32_t>(sum) >> kShift;
+  return Velocity::from_raw(static_cast<int32_t>((static_cast<uint32_t>(within) << (32 - kShift)) | low));
 }
 
-inline Position moved(Position x, Velocity v, uint32_t& clamped) {
+PALPATE_ALWAYS_INLINE Position moved(Position x, Velocity v, uint32_t& clamped) {
   constexpr int kShift = Velocity::kFractionBits - Position::kFractionBits;
-  const Position next = x + Position::from_raw(static_cast<int32_t>(shift_right_rounded(v.raw(), kShift)));
-  const Position within = clamp(next, -kPositionLimit, kPositionLimit);
-  clamped |= static_cast<uint32_t>(next.raw() ^ within.raw());
-  return within;
+  const int32_t next = x.raw() + ((v.raw() + (1 << (kShift - 1))) >> kShift);
+  const int32_t within = within_bits<kPositionBits>(next);
+  clamped |= static_cast<uint32_t>(next ^ within);
+  return Position::from_raw(within);
 }
 
-/// The velocity that covers 1 / remaining of the way to the target.
-inline Velocity towards(Position x, Position target, Q<0, 31> fraction, uint32_t& clamped) {
-  const Acc<58> step = (target - x) * fraction;
-  const Velocity v = narrow_saturated<Velocity>(step);
-  clamped |= v == Velocity::max() || v == Velocity::min() ? 1u : 0u;
-  return v;
+/// x + beta_K v
+PALPATE_ALWAYS_INLINE Position force_position(Position x, Velocity v, Q<0, 31> stiffness_damping) {
+  using Ahead = Q<-4, 35>;
+  constexpr int kShift = Ahead::kFractionBits - Position::kFractionBits;
+  const Ahead ahead = multiply_high<Ahead>(v, stiffness_damping);
+  return Position::from_raw(
+      within_bits<kPositionBits>(x.raw() + ((ahead.raw() + (1 << (kShift - 1))) >> kShift)));
 }
 
-inline Position force_position(Position x, Velocity v, Q<0, 31> stiffness_damping) {
-  return x + narrow<Position>(v * stiffness_damping);
-}
-
-/// 1 / n for n >= 2; 1 is not in the format, so the last substep places the node instead.
+/// 1 / n; 1 is not in the format.
 inline constexpr std::array<Q<0, 31>, kMaxSubsteps + 1> kFractions = {
     Q<0, 31>::max(),       Q<0, 31>::max(),       Q<0, 31>::ratio(1, 2),
     Q<0, 31>::ratio(1, 3), Q<0, 31>::ratio(1, 4), Q<0, 31>::ratio(1, 5),
     Q<0, 31>::ratio(1, 6), Q<0, 31>::ratio(1, 7), Q<0, 31>::ratio(1, 8)};
+
+/// Sets out from x to the target: `steps` steps, each of whole LSBs, so what rounding would leave in the end
+/// is taken off x now. A target that is too far is not reached.
+inline void aim(Position& x, Velocity& v, Position target, uint32_t steps, uint32_t& clamped) {
+  constexpr int kShift = Velocity::kFractionBits - Position::kFractionBits;
+  const auto twice = Q<3, 28>::from_raw(2 * (target - x).raw());
+  const int32_t step = multiply_high<Position>(twice, kFractions[steps]).raw();
+  const int32_t within = within_bits<32 - kShift>(step);
+  clamped |= static_cast<uint32_t>(step ^ within);
+  v = Velocity::from_raw(static_cast<int32_t>(static_cast<uint32_t>(within) << kShift));
+  const int32_t from = target.raw() - static_cast<int32_t>(steps) * within;
+  x = within == step ? Position::from_raw(from) : x;
+}
 
 }  // namespace integrate_detail
 
@@ -111,47 +135,64 @@ void start_solve(const Forest<Profile>& forest, const Dynamics& dynamics, const 
   }
 }
 
-/// Moves all live nodes by one substep; `remaining` counts it: 1 in the last substep of a tick.
+/// Once a tick, before its substeps: held and driven nodes set out to where they must be at its end.
 template <class Profile>
-void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, const HoldMotions& motions,
-                       const DrivenNode& driven, uint32_t remaining, SolveState<Profile>& solve,
-                       ClampCounters& counters) {
-  namespace detail = integrate_detail;
+void aim_moved_nodes(Forest<Profile>& forest, const Dynamics& dynamics, const HoldMotions& motions,
+                     const DrivenNode& driven, const SolveState<Profile>& solve, ClampCounters& counters) {
   auto& state = forest.node;
-  const Q<0, 31> fraction = detail::kFractions[remaining];
+  uint32_t too_fast = 0;
+  const auto aim = [&](uint16_t node, const Vector3<Position>& target) {
+    const auto along = [&](Eigen::Index axis) {
+      integrate_detail::aim(state.position[node][axis], state.velocity[node][axis], target[axis],
+                            dynamics.substeps, too_fast);
+    };
+    along(0);
+    along(1);
+    along(2);
+  };
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
     const uint16_t node = forest.nodes.live(i);
     const NodeControl control = solve.control[node];
-    const bool is_free = control == NodeControl::kFree && node != driven.node;
-    Vector3<Position> target = driven.target;
-    if (!is_free && node != driven.node) {
-      target = within_position_limit(
-          motions[control == NodeControl::kHeldByFirst ? 0 : 1](rest_position(state.rest[node])));
-    }
-    uint32_t too_fast = 0;
-    uint32_t too_far = 0;
-    Vector3<Position>& x = state.position[node];
-    Vector3<Velocity>& v = state.velocity[node];
-    for (const uint32_t axis : bounded<3>(3, [] {})) {
-      const auto a = static_cast<Eigen::Index>(axis);
-      if (is_free) {
-        v[a] = detail::next_velocity(v[a], state.force[node][a], solve.impulse[node], dynamics.mass_damping,
-                                     too_fast);
-        x[a] = detail::moved(x[a], v[a], too_far);
-      } else {
-        v[a] = detail::towards(x[a], target[a], fraction, too_fast);
-        x[a] = remaining == 1 && too_fast == 0 ? target[a] : detail::moved(x[a], v[a], too_far);
-      }
-      solve.force_position[node][a] = detail::force_position(x[a], v[a], dynamics.stiffness_damping);
-    }
-    counters.speed += too_fast != 0 ? 1u : 0u;
-    counters.position += too_far != 0 ? 1u : 0u;
+    if (control == NodeControl::kFree || node == driven.node) continue;
+    const RigidMotion& motion = motions[control == NodeControl::kHeldByFirst ? 0 : 1];
+    aim(node, within_position_limit(motion(rest_position(state.rest[node]))));
   }
+  if (driven.node != kNone) aim(driven.node, driven.target);
+  counters.speed += too_fast != 0 ? 1u : 0u;
+}
+
+/// Moves all live nodes by one substep. Nothing accelerates those that were aimed.
+template <class Profile>
+void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, uint16_t driven,
+                       SolveState<Profile>& solve, ClampCounters& counters) {
+  namespace detail = integrate_detail;
+  auto& state = forest.node;
+  uint32_t too_fast = 0;
+  uint32_t too_far = 0;
+  for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
+    const uint16_t node = forest.nodes.live(i);
+    const bool is_free = solve.control[node] == NodeControl::kFree && node != driven;
+    const int32_t if_free = is_free ? -1 : 0;
+    const auto impulse = Impulse::from_raw(solve.impulse[node].raw() & if_free);
+    const auto damping = Q<-5, 36>::from_raw(dynamics.mass_damping.raw() & if_free);
+    const auto along = [&](Eigen::Index axis) {
+      Velocity& v = state.velocity[node][axis];
+      Position& x = state.position[node][axis];
+      v = detail::next_velocity(v, state.force[node][axis], impulse, damping, too_fast);
+      x = detail::moved(x, v, too_far);
+      solve.force_position[node][axis] = detail::force_position(x, v, dynamics.stiffness_damping);
+    };
+    along(0);
+    along(1);
+    along(2);
+  }
+  counters.speed += too_fast != 0 ? 1u : 0u;
+  counters.position += too_far != 0 ? 1u : 0u;
 }
 
 /// All substeps of a tick. `forces()` must fill the nodes' forces at SolveState::force_position, as
 /// `last_forces()`, which may also look at what changes only once a tick; `integrate(remaining)` runs one
-/// substep. They are the caller's so that each can be a stage of its own.
+/// substep, 1 the last. They are the caller's so that each can be a stage of its own.
 template <uint32_t MostSubsteps, class Forces, class LastForces, class Integrate>
 PALPATE_ALWAYS_INLINE void advance(const Dynamics& dynamics, Forces&& forces, LastForces&& last_forces,
                                    Integrate&& integrate) {

@@ -126,9 +126,9 @@ class TetherForces {
 
 /// All tethers, one after the other, for the substep that `remaining` counts (1: the last of the tick).
 template <class Profile>
-void add_tether_forces(Forest<Profile>& forest, const SolveState<Profile>& solve,
-                       const Tethers<Profile>& tethers, uint32_t substeps, uint32_t remaining,
-                       uint16_t driven) {
+PALPATE_NOINLINE void add_tether_forces(Forest<Profile>& forest, const SolveState<Profile>& solve,
+                                        const Tethers<Profile>& tethers, uint32_t substeps,
+                                        uint32_t remaining, uint16_t driven) {
   TetherForces<Profile> forces(forest, solve, driven);
   for (const uint32_t i : bounded<Profile::kTethers>(tethers.count, [] {})) {
     const Tether& tether = tethers.tether[i];

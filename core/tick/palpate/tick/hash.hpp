@@ -65,8 +65,6 @@ void add_observations(const State<Profile>& state, StateHash& hash) {
   for (const uint32_t i : bounded<Profile::kGroups>(state.front.groups.used(), [] {})) {
     const uint16_t group = state.front.groups.live(i);
     hash.add(state.groups.gradient[group]);
-    hash.add(state.groups.misfit[group]);
-    hash.add(state.groups.misfit_left[group]);
   }
 }
 
@@ -115,7 +113,10 @@ void add_stage(const State<Profile>& state, const TickOutput& output, CoreStage 
         const uint16_t group = state.front.groups.live(i);
         hash_detail::add_rotation(state.groups.extracted[group], hash);
         hash_detail::add_rotation(state.groups.used[group], hash);
+        hash.add(state.groups.misfit[group]);
+        hash.add(state.groups.misfit_left[group]);
       }
+      hash.add(uint32_t{state.misfits.group_at} | uint32_t{state.misfits.leaf_at} << 16);
       break;
     case CoreStage::kForces:
       hash_detail::add_nodes(state.forest, state.forest.node.force, hash);

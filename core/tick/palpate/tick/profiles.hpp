@@ -8,7 +8,7 @@
 //   kRotationChanges           groups split or begun to be joined a tick
 //   kTethers                   nodes that are being released or drawn at a time
 //   kContactCandidates         faces near the tool that a tick looks at closely
-//   kConformingFront           whether criteria whose rotation front conforms are compiled in
+//   kStudyCriteria             whether criteria for studies are compiled in (remesh/rules.hpp)
 #pragma once
 
 #include "palpate/numeric/platform.hpp"
@@ -29,7 +29,7 @@ struct CuboidPaper {
   static constexpr uint32_t kRotationChanges = 8;
   static constexpr uint16_t kTethers = 32;
   static constexpr uint32_t kContactCandidates = 64;
-  static constexpr bool kConformingFront = false;
+  static constexpr bool kStudyCriteria = false;
 };
 
 /// The same bar as heavy as tissue, with room for finer levels where it is touched.
@@ -46,7 +46,7 @@ struct CuboidDense {
   static constexpr uint32_t kRotationChanges = 32;
   static constexpr uint16_t kTethers = 64;
   static constexpr uint32_t kContactCandidates = 64;
-  static constexpr bool kConformingFront = false;
+  static constexpr bool kStudyCriteria = false;
 };
 
 struct Organ {
@@ -62,7 +62,7 @@ struct Organ {
   static constexpr uint32_t kRotationChanges = 16;
   static constexpr uint16_t kTethers = 64;
   static constexpr uint32_t kContactCandidates = 64;
-  static constexpr bool kConformingFront = false;
+  static constexpr bool kStudyCriteria = false;
 };
 
 /// For a Cortex-M4.
@@ -79,7 +79,7 @@ struct Small {
   static constexpr uint32_t kRotationChanges = 8;
   static constexpr uint16_t kTethers = 16;
   static constexpr uint32_t kContactCandidates = 24;
-  static constexpr bool kConformingFront = false;
+  static constexpr bool kStudyCriteria = false;
 };
 
 /// Host only: deep or large meshes, and full corotation, for studies and tests.
@@ -96,7 +96,7 @@ struct Workstation {
   static constexpr uint32_t kRotationChanges = 256;
   static constexpr uint16_t kTethers = 1000;
   static constexpr uint32_t kContactCandidates = 256;
-  static constexpr bool kConformingFront = true;
+  static constexpr bool kStudyCriteria = true;
 };
 
 }  // namespace palpate

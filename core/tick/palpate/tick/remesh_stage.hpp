@@ -17,7 +17,7 @@ struct GroupRotations {
   const RotationRules& rules;
 
   [[nodiscard]] uint32_t split_measure(uint16_t group) const {
-    if constexpr (Profile::kConformingFront) {
+    if constexpr (Profile::kStudyCriteria) {
       if (rules.criterion == RotationCriterion::kSiblings) return from_sibling(group);
       if (rules.criterion == RotationCriterion::kFull) return may_share(front.tet[group]) ? 0u : 1u;
     }
@@ -28,7 +28,7 @@ struct GroupRotations {
   [[nodiscard]] uint32_t join_measure(uint16_t group, uint16_t partner) const {
     const uint16_t parent = forest.parent_of(front.tet[group]);
     const uint32_t halves_apart = difference(group, partner);
-    if constexpr (Profile::kConformingFront) {
+    if constexpr (Profile::kStudyCriteria) {
       if (rules.criterion == RotationCriterion::kFull) return may_share(parent) ? 0u : 1u;
       if (rules.criterion == RotationCriterion::kSiblings) {
         const uint32_t parents_apart = apart(parent, Forest<Profile>::sibling(parent));

@@ -33,8 +33,9 @@ Status start(State<Profile>& state, const Model& model) {
   state.tick = 0;
   if (model.dynamics.substeps > Profile::kSubsteps) return Status::kTooManySubsteps;
   const RotationRules& rotation = model.remesh.rotation;
-  if (has_conforming_front(rotation.criterion) && !Profile::kConformingFront)
-    return Status::kNoConformingFront;
+  const bool is_study =
+      has_conforming_front(rotation.criterion) || looks_at_neighbours(model.remesh.stretch.criterion);
+  if (is_study && !Profile::kStudyCriteria) return Status::kNoSuchCriterion;
   const Status levels = start_detail::check_levels(model.remesh.stretch, model.level, Profile::kMaxLevel);
   if (levels != Status::kDone) return levels;
   MeshStatus mesh = make_roots(state.forest, model.block, model.region_density);
@@ -44,6 +45,7 @@ Status start(State<Profile>& state, const Model& model) {
   const uint8_t level = rotation.criterion == RotationCriterion::kFull ? kDeepestLevel : rotation.start_level;
   if (!make_groups(state.forest, state.front, level)) return Status::kTooManyGroups;
   start_groups(state.front, state.groups);
+  state.misfits.clear();
   state.urgencies.clear();
   state.tethers.clear();
   state.remesh = RemeshCounters{};

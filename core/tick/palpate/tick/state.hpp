@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpate/elastic/group_forces.hpp"
+#include "palpate/elastic/misfit_sweep.hpp"
 #include "palpate/mesh/make_forest.hpp"
 #include "palpate/remesh/urgency.hpp"
 #include "palpate/solve/tether_force.hpp"
@@ -50,6 +51,7 @@ struct State {
   Forest<Profile> forest;
   RotationFront<Profile> front;
   Groups<Profile> groups;
+  MisfitSweep misfits;
   GroupFrame<Profile> frame;  // scratch
   Urgencies<Profile> urgencies;
   Tethers<Profile> tethers;
@@ -73,7 +75,7 @@ enum class Status : uint8_t {
   kLevelTooDeep,         // of the start, or a region's finest one
   kLevelsContradictory,  // a region's range is empty, or the start's level is not in it
   kTooManySubsteps,
-  kNoConformingFront  // the profile has none, and the model's criterion needs one
+  kNoSuchCriterion  // the profile has no code for one of the model's criteria
 };
 
 /// Builds the mesh of `model` at rest. At boot, not in the cycle: O(leaves) patches.

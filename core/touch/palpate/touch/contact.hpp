@@ -35,7 +35,7 @@ struct Contact {
   Load load;
   bool is_touching;
   bool is_certain;          // no face could be nearer than the ones that were looked at
-  uint32_t faces_examined;  // in the last tick, at most kPushes Profile::kContactCandidates
+  uint32_t faces_examined;  // in the last tick, at most one and a half times Profile::kContactCandidates
 
   bool is_present;  // whether there was a tool in the last tick
 
@@ -73,6 +73,12 @@ inline Vector3<Position> way_to_goal(const ContactRules& rules, const Vector3<Po
   if (rules.friction.raw() <= 0 || height.raw() <= 0) return -e;
   const auto most = narrow_saturated<Position>(rules.friction * height);
   return limited_to(across(e, n), most) - e;
+}
+
+/// In the maximum norm.
+inline Position largest_part(const Vector3<Position>& v) {
+  const auto larger = [](Position a, Position b) { return a > b ? a : b; };
+  return larger(abs(v[0]), larger(abs(v[1]), abs(v[2])));
 }
 
 /// As much of it as one tick allows: half a radius across n, half along it.
@@ -144,10 +150,12 @@ class ContactStep {
   /// Whether a tool may appear here: one in the organ or within its skin could be on either side.
   bool is_clear(const Vector3<Position>& tool) {
     find_candidates(forest_, tool, rules_.radius, candidates_);
+    auto looks = bounded_total<kMostExamined>(ExaminedTotal{});
     SurfacePoint nearest;  // nearest_surface fills it
-    const bool is_near = nearest_surface(forest_, candidates_, tool, nearest);
+    const bool is_near = nearest_surface(forest_, candidates_, tool, rules_.radius, looks, nearest);
     const bool is_seen = candidates_.range >= rules_.radius;
-    return is_seen && !(is_near && nearest.distance < rules_.radius) && !is_inside(forest_, tool);
+    return is_seen && !(is_near && nearest.distance < rules_.radius) &&
+           !is_inside(forest_, tool, candidates_.sides);
   }
   /// How far the material under the proxy has moved since it was placed there.
   [[nodiscard]] Vector3<Position> carried() const {
@@ -159,23 +167,28 @@ class ContactStep {
     const Position reach = Position::from_raw(2 * rules_.radius.raw());
     find_candidates(forest_, proxy, reach, candidates_);
     contact_.is_touching = false;
-    contact_.is_certain = true;
-    contact_.faces_examined = 0;
+    const Vector3<Position> searched = proxy;
+    auto looks = bounded_total<kMostExamined>(ExaminedTotal{});
     SurfacePoint nearest;  // nearest_surface fills it
     for ([[maybe_unused]] const uint32_t push : bounded<kPushes>(kPushes, [] {})) {
-      contact_.faces_examined += candidates_.count;
-      if (!nearest_surface(forest_, candidates_, proxy, nearest)) break;
+      // Only what is within a radius of it can push the proxy.
+      const Position within = rules_.radius + contact_detail::largest_part(proxy - searched);
+      if (!nearest_surface(forest_, candidates_, proxy, within, looks, nearest)) break;
       if (nearest.distance >= rules_.radius || is_flat(nearest)) break;
       proxy = within_position_limit(nearest.point + vector_along(nearest.normal, rules_.radius));
       contact_.normal = nearest.normal;
       contact_.load.put_on(nearest);
       contact_.is_touching = true;
     }
-    contact_.is_certain = candidates_.range >= rules_.radius;
+    contact_.faces_examined = kMostExamined - looks.left();
+    contact_.is_certain = candidates_.range >= rules_.radius && looks.left() > 0;
     if (!contact_.is_touching) contact_.normal = zero_vector<Fraction>();
     if (!contact_.is_touching && contact_.force == zero_vector<Force>()) contact_.load.count = 0;
     return proxy;
   }
+  static constexpr uint32_t kMostExamined = Profile::kContactCandidates * 3 / 2;
+  struct ExaminedTotal {};
+
   /// Without any area where the proxy is on it: it has no side.
   static bool is_flat(const SurfacePoint& nearest) { return nearest.normal == zero_vector<Fraction>(); }
 

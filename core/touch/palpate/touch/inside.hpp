@@ -2,7 +2,7 @@
 // which has no way that it came by.
 #pragma once
 
-#include "palpate/mesh/forest.hpp"
+#include "palpate/touch/sides.hpp"
 
 namespace palpate {
 namespace inside_detail {
@@ -24,19 +24,6 @@ constexpr int64_t volume(const Offset& a, const Offset& b, const Offset& c) {
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Whether of each coordinate some corner has no more than x and some no less: by signs, without a branch.
-inline bool is_in_box(const Vector3<Position>& a, const Vector3<Position>& b, const Vector3<Position>& c,
-                      const Vector3<Position>& d, const Vector3<Position>& x) {
-  const auto signs_along = [&](Eigen::Index axis) {
-    const int32_t d0 = a[axis].raw() - x[axis].raw();
-    const int32_t d1 = b[axis].raw() - x[axis].raw();
-    const int32_t d2 = c[axis].raw() - x[axis].raw();
-    const int32_t d3 = d[axis].raw() - x[axis].raw();
-    return ((d0 - 1) | (d1 - 1) | (d2 - 1) | (d3 - 1)) & ~(d0 & d1 & d2 & d3);
-  };
-  return (signs_along(0) & signs_along(1) & signs_along(2)) < 0;
-}
-
 /// `corner`: from the point to the nodes. The point divides the tet into four: it is inside when their
 /// volumes have no two signs. Its surface is inside.
 inline bool is_in_tet(const std::array<Offset, 4>& corner) {
@@ -53,26 +40,26 @@ inline bool is_in_tet(const std::array<Offset, 4>& corner) {
 
 /// Leaves whose box holds a point: a few at rest. Where there are more, as in a heap of inverted leaves, the
 /// answer is that it is inside.
-inline constexpr uint32_t kMostBoxes = 32;
+inline constexpr uint32_t kMostBoxes = 16;
 
-/// `x` within the position limit. Within 2^-16 edge of the surface either answer may come. O(leaves): a box
-/// each, and kMostBoxes times four volumes of 9 products.
+/// `x` within the position limit; `sides` is overwritten. Within 2^-16 edge of the surface either answer may
+/// come. O(nodes + leaves), and kMostBoxes times four volumes of 9 products.
 template <class Profile>
-[[nodiscard]] bool is_inside(const Forest<Profile>& forest, const Vector3<Position>& x) {
+[[nodiscard]] bool is_inside(const Forest<Profile>& forest, const Vector3<Position>& x,
+                             Sides<Profile>& sides) {
   namespace detail = inside_detail;
+  sides.find(forest, x, Position::from_raw(0));
   bool is_in = false;
   auto boxes = bounded_total<kMostBoxes>([] {});
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    const auto& node = forest.leaf[i].node;
-    const Vector3<Position>& a = forest.node.position[node[0]];
-    const Vector3<Position>& b = forest.node.position[node[1]];
-    const Vector3<Position>& c = forest.node.position[node[2]];
-    const Vector3<Position>& d = forest.node.position[node[3]];
-    if (!detail::is_in_box(a, b, c, d, x)) continue;
+    const Leaf& leaf = forest.leaf[i];
+    if (sides.is_beyond(leaf)) continue;
     if (boxes.left() == 0) return true;
     for ([[maybe_unused]] const uint32_t box : boxes.take(0, 1)) {
-      is_in = is_in || detail::is_in_tet({detail::offset(x, a), detail::offset(x, b), detail::offset(x, c),
-                                          detail::offset(x, d)});
+      const auto from_x = [&](uint32_t place) {
+        return detail::offset(x, forest.node.position[leaf.node[place]]);
+      };
+      is_in = is_in || detail::is_in_tet({from_x(0), from_x(1), from_x(2), from_x(3)});
     }
   }
   return is_in;

@@ -3,7 +3,7 @@
 // is in the same tick, and a tool that arrives, however fast, is seen in the tick in which it is within the
 // range.
 //
-//   find_candidates   one look at all leaves; keeps the faces whose box is near the tool, at most
+//   find_candidates   one look at all nodes and leaves; keeps the faces whose box is near the tool, at most
 //                     Profile::kContactCandidates of them
 //   nearest_surface   the closest point on the candidates, exactly
 //
@@ -11,7 +11,7 @@
 // is what it ended at, and every face of the surface within it is among the candidates.
 #pragma once
 
-#include "palpate/mesh/forest.hpp"
+#include "palpate/touch/sides.hpp"
 #include "palpate/touch/triangle.hpp"
 
 namespace palpate {
@@ -42,9 +42,11 @@ struct Candidate {
 template <class Profile>
 struct Candidates {
   static constexpr uint32_t kMost = Profile::kContactCandidates;
+  static constexpr uint32_t kLooks = 3 * kMost;  // at faces in reach
   uint32_t count;
   Position range;
   std::array<Candidate, kMost> face;
+  Sides<Profile> sides;
 };
 
 namespace surface_detail {
@@ -63,12 +65,7 @@ inline Position distance_to_box(const Vector3<Position>& a, const Vector3<Positi
   return larger(larger(along(0), along(1)), larger(along(2), Position::from_raw(0)));
 }
 
-/// Faces without a neighbour: n leaves that hang together share n - 1 faces at least, and of the cubes each
-/// may stand alone.
-template <class Profile>
-inline constexpr uint32_t kMostFaces = 2u * (Profile::kLeaves + kMaxCubes);
-
-inline constexpr uint32_t kTightenings = 16;
+inline constexpr uint32_t kTightenings = 8;
 
 /// Lowers the range by a quarter at least, but not below the nearest candidate's bound, and drops what is
 /// beyond: one at least, unless all are equally near.
@@ -113,25 +110,35 @@ void offer(const FaceNodes& node, Position bound, Total& tightenings, Candidates
 
 }  // namespace surface_detail
 
-/// All faces of the surface within `range` of `centre` in the maximum norm, both within +-5 edges. O(leaves):
-/// a test of four neighbours each, 9 differences for each face of the surface, and at most 16 times a pass
-/// over the candidates when they do not all fit.
+/// All faces of the surface within `range` of `centre` in the maximum norm, both within +-5 edges. If they
+/// are so many that not all can be looked at, as of an organ that is crumpled up, the range is below 0 in the
+/// end. O(nodes + leaves): 6 differences a node and a test of four neighbours a leaf; 9 comparisons for a
+/// face in range, and at most 8 times a pass over the candidates when they do not all fit.
 template <class Profile>
 void find_candidates(const Forest<Profile>& forest, const Vector3<Position>& centre, Position range,
                      Candidates<Profile>& found) {
   found.count = 0;
   found.range = range;
+  found.sides.find(forest, centre, range);
   const auto& x = forest.node.position;
   auto tightenings = bounded_total<surface_detail::kTightenings>([] {});
-  auto faces = bounded_total<surface_detail::kMostFaces<Profile>>([] {});
+  auto looks = bounded_total<Candidates<Profile>::kLooks>([] {});
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
     const Leaf& leaf = forest.leaf[i];
-    for (const uint32_t face : bounded<4>(4, [] {})) {
-      for ([[maybe_unused]] const uint32_t once : faces.take(0, leaf.neighbour[face] == kNone ? 1 : 0)) {
-        const FaceNodes node = face_nodes(leaf, face);
-        const Position bound = surface_detail::distance_to_box(x[node[0]], x[node[1]], x[node[2]], centre);
-        if (bound <= found.range) surface_detail::offer(node, bound, tightenings, found);
-      }
+    uint32_t faces = found.sides.faces_in_reach(leaf);
+    if (faces == 0) continue;
+    const uint32_t in_pairs = faces - ((faces >> 1) & 5u);
+    const uint32_t count = (in_pairs & 3u) + (in_pairs >> 2);
+    if (looks.left() < count) {
+      found.range = Position::from_raw(-1);
+      return;
+    }
+    for ([[maybe_unused]] const uint32_t look : looks.take(0, count)) {
+      const auto face = static_cast<uint32_t>(31 - leading_zeros(faces));
+      faces ^= 1u << face;
+      const FaceNodes node = face_nodes(leaf, face);
+      const Position bound = surface_detail::distance_to_box(x[node[0]], x[node[1]], x[node[2]], centre);
+      if (bound <= found.range) surface_detail::offer(node, bound, tightenings, found);
     }
   }
 }
@@ -144,28 +151,36 @@ struct SurfacePoint {
   Position distance;  // of x, negative inside
 };
 
-/// The point of the candidates closest to x; false when there are none. x is inside when it is straight
-/// behind the face it is closest to; beside an edge or a vertex it counts as outside, where a tool is that
-/// comes from outside. Of equally close ones the first is taken. Cost: closest_on_triangle a candidate.
-template <class Profile>
+/// The point closest to x, of the candidates that may be as near as `within` of where they were searched for;
+/// false when there are none. x is inside when it is straight behind the face it is closest to; beside an
+/// edge or a vertex it counts as outside, where a tool is that comes from outside. Of equally close ones the
+/// first is taken. Cost: closest_on_triangle a candidate, each of which is taken from `looks`, a
+/// BoundedTotal.
+template <class Profile, class Total>
 [[nodiscard]] bool nearest_surface(const Forest<Profile>& forest, const Candidates<Profile>& candidates,
-                                   const Vector3<Position>& x, SurfacePoint& nearest) {
-  if (candidates.count == 0) return false;
+                                   const Vector3<Position>& x, Position within, Total& looks,
+                                   SurfacePoint& nearest) {
   const auto& position = forest.node.position;
-  auto least = Acc<2 * Position::kFractionBits>::from_raw(std::numeric_limits<int64_t>::max());
+  constexpr auto kFar = Acc<2 * Position::kFractionBits>::from_raw(std::numeric_limits<int64_t>::max());
+  auto least = kFar;
   bool is_inner = false;
   for (const uint32_t i : bounded<Candidates<Profile>::kMost>(candidates.count, [] {})) {
-    const FaceNodes& node = candidates.face[i].node;
-    const TrianglePoint closest =
-        closest_on_triangle(position[node[0]], position[node[1]], position[node[2]], x);
-    const auto square = square_of(Vector3<Position>(x - closest.point));
-    if (square >= least) continue;
-    least = square;
-    is_inner = closest.is_inner;
-    nearest.node = node;
-    nearest.weight = closest.weight;
-    nearest.point = closest.point;
+    const Candidate& candidate = candidates.face[i];
+    if (candidate.bound > within || looks.left() == 0) continue;
+    for ([[maybe_unused]] const uint32_t look : looks.take(0, 1)) {
+      const FaceNodes& node = candidate.node;
+      const TrianglePoint closest =
+          closest_on_triangle(position[node[0]], position[node[1]], position[node[2]], x);
+      const auto square = square_of(Vector3<Position>(x - closest.point));
+      if (square >= least) continue;
+      least = square;
+      is_inner = closest.is_inner;
+      nearest.node = node;
+      nearest.weight = closest.weight;
+      nearest.point = closest.point;
+    }
   }
+  if (least == kFar) return false;
   // Nearer than this (60 nm at 64 mm) the direction is the rounding's.
   constexpr auto kOn = Acc<2 * Position::kFractionBits>::from_raw(int64_t{1} << 14);
   const Vector3<Position> d = x - nearest.point;
@@ -178,6 +193,14 @@ template <class Profile>
   nearest.normal = is_on ? face : is_behind ? Direction(-outwards) : outwards;
   nearest.distance = is_behind ? -length : length;
   return true;
+}
+
+/// Of all candidates.
+template <class Profile>
+[[nodiscard]] bool nearest_surface(const Forest<Profile>& forest, const Candidates<Profile>& candidates,
+                                   const Vector3<Position>& x, SurfacePoint& nearest) {
+  auto looks = bounded_total<Candidates<Profile>::kMost>([] {});
+  return nearest_surface(forest, candidates, x, Position::max(), looks, nearest);
 }
 
 }  // namespace palpate

@@ -66,7 +66,7 @@ safety::Verdict judge(CycleState<Profile>& state, const safety::Observation& see
 template <class Profile>
 PALPATE_NOINLINE void motor_codes(CycleState<Profile>& state, safety::Observation& seen) {
   state.force = on_handle(state.scene, state.output.reaction);
-  examine_slice(state.core.forest, state.core.model.block, state.invariants);
+  examine_leaf(state.core.forest, state.core.model.block, state.invariants);
   seen.asked_force = state.force;
   seen.reported |= safety::ConditionSet::of(safety::Condition::kInvariantBroken, state.invariants.is_broken);
   seen.requests |= boot_events(state.safety.state);

@@ -1,0 +1,75 @@
+#include "palpate/remesh/urgency.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/forests.hpp"
+
+namespace palpate::test {
+namespace {
+
+using Urgency = Urgencies<Bar>;
+using Wanted = MostUrgent<Bar>;
+
+const auto nobody = [](const Leaf&) { return 0u; };
+
+class MostUrgentLeaves : public testing::Test {
+ protected:
+  MostUrgentLeaves() {
+    EXPECT_EQ(refine_uniformly(*forest_, 3), MeshStatus::kDone);
+    urgencies_->clear();
+  }
+  uint8_t& urgency(uint32_t leaf) { return urgencies_->of[forest_->leaf[leaf].tet]; }
+
+  std::unique_ptr<Forest<Bar>> forest_ = roots_of<Bar>(bar_block());
+  std::unique_ptr<Urgency> urgencies_ = std::make_unique<Urgency>();
+  Wanted wanted_;
+};
+
+TEST_F(MostUrgentLeaves, AreTheMostUrgentInOrder) {
+  for (uint32_t i = 0; i < forest_->leaf_count; ++i) {
+    urgency(i) = static_cast<uint8_t>(Urgency::kWanted + i * 37 % 100);
+  }
+  const Waiting waiting = find_most_urgent(*forest_, *urgencies_, nobody, wanted_);
+  EXPECT_EQ(waiting.all, forest_->leaf_count);
+  EXPECT_EQ(waiting.blocked, 0u);
+  ASSERT_EQ(wanted_.count, Wanted::kLooks);
+  std::vector<uint8_t> all;
+  for (uint32_t i = 0; i < forest_->leaf_count; ++i) all.push_back(urgency(i));
+  std::sort(all.rbegin(), all.rend());
+  for (uint32_t i = 0; i < Wanted::kLooks; ++i) {
+    EXPECT_EQ(wanted_.urgency[i], all[i]);
+    EXPECT_EQ(urgencies_->of[wanted_.tet[i]], all[i]);
+  }
+}
+
+TEST_F(MostUrgentLeaves, AreNeitherAsleepNorBlocked) {
+  for (uint32_t i = 0; i < 4; ++i) urgency(i) = Urgency::kMost;
+  urgency(1) |= Urgency::kAsleep;
+  const auto is_second = [&](const Leaf& leaf) { return leaf.tet == forest_->leaf[2].tet ? 1u : 0u; };
+  const Waiting waiting = find_most_urgent(*forest_, *urgencies_, is_second, wanted_);
+  EXPECT_EQ(waiting.all, 4u);
+  EXPECT_EQ(waiting.blocked, 2u);
+  ASSERT_EQ(wanted_.count, 2u);
+  EXPECT_EQ(wanted_.tet[0], forest_->leaf[0].tet);
+  EXPECT_EQ(wanted_.tet[1], forest_->leaf[3].tet);
+}
+
+TEST_F(MostUrgentLeaves, TakeTurnsWhenTheyAreEquallyUrgent) {
+  for (uint32_t i = 0; i < forest_->leaf_count; ++i) urgency(i) = Urgency::kWanted;
+  urgencies_->split_at = 100;
+  (void)find_most_urgent(*forest_, *urgencies_, nobody, wanted_);
+  for (uint32_t i = 0; i < Wanted::kLooks; ++i) EXPECT_EQ(wanted_.tet[i], forest_->leaf[100 + i].tet);
+}
+
+/// Each more urgent than all before it, which is as dear as it gets: the search ends, with the most urgent of
+/// those that it took.
+TEST_F(MostUrgentLeaves, AreFoundWithinTheBudgetOfOffers) {
+  for (uint32_t i = 0; i < 120; ++i) urgency(i) = static_cast<uint8_t>(Urgency::kWanted + i);
+  const Waiting waiting = find_most_urgent(*forest_, *urgencies_, nobody, wanted_);
+  EXPECT_EQ(waiting.all, 120u);
+  EXPECT_EQ(wanted_.count, Wanted::kLooks);
+  EXPECT_EQ(wanted_.urgency[0], Urgency::kWanted + 8 * Wanted::kLooks - 1);
+}
+
+}  // namespace
+}  // namespace palpate::test
