@@ -172,14 +172,18 @@ namespace narrow_detail {
 /// The lower 32 bits of raw >> Shift, rounded to nearest.
 template <int Shift>
 constexpr uint32_t rounded_down(uint64_t raw) {
-  if constexpr (Shift == 0) return static_cast<uint32_t>(raw);
-  // Two instructions, the second of which is an addition of a shifted register.
-  if constexpr (Shift == 32) return static_cast<uint32_t>(raw >> 32) + (static_cast<uint32_t>(raw) >> 31);
-  const uint64_t rounded = raw + (uint64_t{1} << (Shift - 1));
-  // Up to 32 a logical shift gives the same bits as an arithmetic one; gcc then sees that only 32 of them are
-  // left and multiplies them as such.
-  return Shift <= 32 ? static_cast<uint32_t>(rounded >> Shift)
-                     : static_cast<uint32_t>(static_cast<int64_t>(rounded) >> Shift);
+  if constexpr (Shift == 0) {
+    return static_cast<uint32_t>(raw);
+  } else if constexpr (Shift == 32) {
+    // Two instructions, the second of which is an addition of a shifted register.
+    return static_cast<uint32_t>(raw >> 32) + (static_cast<uint32_t>(raw) >> 31);
+  } else {
+    const uint64_t rounded = raw + (uint64_t{1} << (Shift - 1));
+    // Up to 32 a logical shift gives the same bits as an arithmetic one; gcc then sees that only 32 of them
+    // are left and multiplies them as such.
+    return Shift <= 32 ? static_cast<uint32_t>(rounded >> Shift)
+                       : static_cast<uint32_t>(static_cast<int64_t>(rounded) >> Shift);
+  }
 }
 
 }  // namespace narrow_detail
