@@ -95,7 +95,7 @@ TEST(BlockTimes, SeeWhetherAFrameIsPrivate) {
                                "\"\nextern \"C\" __attribute__((naked)) void root() { asm volatile(" + body +
                                "); }");
     const FunctionGraph graph =
-        build_graph(target.program(), target.entry_of("root"), [](uint32_t) { return true; });
+        build_graph(target.program(), target.entry_of("root"), Purpose::kTime, [](uint32_t) { return true; });
     return time_blocks(read_cost_model("m7"), graph).front();
   };
   const Cycles private_frame = cycles_with("add r3, r1, #4");
