@@ -8,6 +8,7 @@
 
 #include "bound.hpp"
 #include "cost_model.hpp"
+#include "names.hpp"
 #include "stack.hpp"
 #include "worst_path.hpp"
 
@@ -38,10 +39,6 @@ std::vector<SectionUse> section_uses(const ElfImage& image);
 
 /// Functions on the deepest chain of calls, from the root.
 std::vector<size_t> deepest_chain(const std::vector<StackUse>& stack);
-
-/// A stage of the tick, by the namespace that all of them are in: "forces" of
-/// ...tick_stages::forces<...>(...).
-std::optional<std::string> stage_name(const std::string& function);
 
 void print(const Findings& findings);
 nlohmann::json to_json(const Findings& findings);
