@@ -46,7 +46,9 @@ class Joining {
     for (const FunctionGraph& graph : calls_.functions()) add_blocks(graph);
     find_outside();
     add_loops();
-    add_functions();
+    const WorstPath path = walk_worst_path(calls_, bounds_);
+    add_functions(path);
+    add_gaps(path);
     return std::move(result_);
   }
 
@@ -103,8 +105,7 @@ class Joining {
     }
   }
 
-  void add_functions() {
-    const WorstPath path = walk_worst_path(calls_, bounds_);
+  void add_functions(const WorstPath& path) {
     for (size_t i = 0; i < calls_.functions().size(); ++i) {
       const FunctionGraph& graph = calls_.functions()[i];
       FunctionSeen function{graph.name, std::nullopt, path.functions[i].with_callees, {}};
@@ -113,6 +114,18 @@ class Joining {
       if (seen != counts_.functions.end()) function.seen = seen->second;
       result_.functions.push_back(function);
     }
+  }
+
+  void add_gaps(const WorstPath& path) {
+    for (const BlockFigures& figures : path.blocks) {
+      const Block& block = calls_.functions()[figures.function].blocks[figures.block];
+      const auto spot = counts_.spots.find(block.address());
+      const uint64_t in_longest = spot == counts_.spots.end() ? 0 : spot->second.in_longest;
+      const BlockSeen seen{program_.place(block.address()), block.code.size(), figures.count, in_longest};
+      if (seen.gap() > 0) result_.gaps.push_back(seen);
+    }
+    std::stable_sort(result_.gaps.begin(), result_.gaps.end(),
+                     [](const BlockSeen& a, const BlockSeen& b) { return a.gap() > b.gap(); });
   }
 
   const Program& program_;

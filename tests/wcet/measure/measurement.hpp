@@ -34,6 +34,19 @@ struct FunctionSeen {
   FunctionCounts seen;
 };
 
+/// How often a block runs on the root's worst path, and how often it did in the longest invocation.
+struct BlockSeen {
+  Place place;
+  size_t instructions;
+  double on_worst_path;
+  uint64_t in_longest;
+
+  /// In instructions: what the bound has more.
+  [[nodiscard]] double gap() const {
+    return static_cast<double>(instructions) * (on_worst_path - static_cast<double>(in_longest));
+  }
+};
+
 struct Measurement {
   std::string root;
   Cycles bound = 0;
@@ -45,6 +58,7 @@ struct Measurement {
   std::vector<Way> outside;  // of the graph; a lone instruction leads to itself
   std::vector<LoopFigures> loops;
   std::vector<FunctionSeen> functions;
+  std::vector<BlockSeen> gaps;  // blocks of which the bound has more, the largest gap first
 
   [[nodiscard]] double coverage_percent() const;
   /// Bound over the most that was seen.

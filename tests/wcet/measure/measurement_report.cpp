@@ -11,6 +11,7 @@ namespace {
 using nlohmann::json;
 
 constexpr size_t kLoosest = 30;
+constexpr size_t kGaps = 40;
 
 /// 0 where nothing was seen.
 double ratio_of(double bound, uint64_t seen) { return seen == 0 ? 0 : bound / static_cast<double>(seen); }
@@ -42,6 +43,19 @@ void print_loosest(const Measurement& measurement) {
     fmt::print("{:>12.0f} {:>12} {:>12} {:>10} {:>10}  {}\n", function->on_worst_path,
                function->seen.in_longest, function->seen.most_in_invocation, function->bound.value_or(0),
                function->seen.most, shortened(function->name));
+  }
+}
+
+void print_gaps(const Measurement& measurement) {
+  fmt::print(
+      "\n{:>10} {:>12} {:>12} {:>6}  blocks that the worst path runs more often than the longest "
+      "invocation did\n",
+      "gap", "worst path", "in longest", "each");
+  for (size_t i = 0; i < std::min(kGaps, measurement.gaps.size()); ++i) {
+    const BlockSeen& block = measurement.gaps[i];
+    fmt::print("{:>10.0f} {:>12.0f} {:>12} {:>6}  {} {:#x} {}\n", block.gap(), block.on_worst_path,
+               block.in_longest, block.instructions, shortened(block.place.function), block.place.address,
+               block.place.line);
   }
 }
 
@@ -108,6 +122,7 @@ void print(const Measurement& measurement) {
              measurement.blocks, measurement.coverage_percent());
   print_stages(measurement);
   print_loosest(measurement);
+  print_gaps(measurement);
   print_loops(measurement);
   print_uncovered(measurement);
 }

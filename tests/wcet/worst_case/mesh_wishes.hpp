@@ -1,0 +1,158 @@
+// What changes of the mesh the next tick is to look at: tethers, some of which end with a merge, and
+// urgencies whose search and whose patches cost most.
+#pragma once
+
+#include "mesh_growth.hpp"
+
+namespace palpate::worst_case {
+
+class MeshWishes {
+ public:
+  MeshWishes(CoreState& state, Draw& draw) : state_(state), forest_(state.forest), draw_(draw) {}
+
+  void make() {
+    state_.tethers.clear();
+    state_.urgencies.clear();
+    add_ending_tethers();
+    add_tethers();
+    want_all_leaves();
+    calm_merges();
+    want_worst_patches();
+    state_.urgencies.sweep_at = inmost_window();
+    state_.urgencies.split_at = 0;
+    state_.urgencies.merge_at = static_cast<uint16_t>(draw_.below(forest_.leaf_count));
+  }
+
+ private:
+  static constexpr uint32_t kLooks = 2 * Profile::kPatches;
+
+  struct Merge {
+    uint16_t middle = kNone;
+    EdgeEnds ends{};
+    Patch patch{};
+  };
+
+  /// Of a leaf's parent and those around the same edge. False when there is none.
+  bool find(const Leaf& leaf, Merge& merge) const {
+    if (leaf.level == 0 || find_merge(forest_, leaf.tet, merge.patch) != MeshStatus::kDone) return false;
+    merge.middle = middle_node(leaf);
+    merge.ends = restored_edge(forest_, merge.patch.tet[0]);
+    return may_tether(merge.middle, merge.ends);
+  }
+  [[nodiscard]] bool may_tether(uint16_t middle, const EdgeEnds& ends) const {
+    const Tethers<Profile>& tethers = state_.tethers;
+    if (state_.solve.control[middle] != NodeControl::kFree || tethers.is_full()) return false;
+    if (tethers.holds(middle) || tethers.holds(ends[0]) || tethers.holds(ends[1])) return false;
+    for (uint32_t i = 0; i < tethers.count; ++i) {
+      if (tethers.tether[i].end[0] == middle || tethers.tether[i].end[1] == middle) return false;
+    }
+    return true;
+  }
+  /// Whether no child is a rotation tet.
+  [[nodiscard]] bool is_below_front(const Patch& patch) const {
+    for (uint32_t i = 0; i < patch.count; ++i) {
+      for (uint32_t which = 0; which < 2; ++which) {
+        const Leaf& leaf = forest_.leaf_of(forest_.child(patch.tet[i], which));
+        if (forest_.tet[state_.front.tet[leaf.group]].level >= leaf.level) return false;
+      }
+    }
+    return true;
+  }
+  void tether(const Merge& merge, uint32_t ticks) {
+    const auto left = static_cast<uint8_t>(ticks);
+    state_.tethers.add(Tether{merge.middle, merge.ends, merge.patch.tet[0], left, TetherKind::kDraw, 0});
+  }
+
+  /// As many as a tick looks at, the largest patches.
+  void add_ending_tethers() {
+    for (uint32_t size = kMaxPatch; size > 0; --size) {
+      for (uint32_t i = 0; i < forest_.leaf_count && state_.tethers.count < kLooks; ++i) {
+        Merge merge;
+        if (find(forest_.leaf[i], merge) && merge.patch.count == size && is_below_front(merge.patch))
+          tether(merge, 1);
+      }
+    }
+  }
+  void add_tethers() {
+    const uint32_t start = draw_.below(forest_.leaf_count);
+    for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
+      Merge merge;
+      if (find(forest_.leaf[(start + i) % forest_.leaf_count], merge)) tether(merge, 2 + draw_.below(30));
+    }
+  }
+
+  /// The later a leaf is looked at, the more urgent it is.
+  void want_all_leaves() {
+    constexpr uint32_t kLevels = Urgencies<Profile>::kMost - Urgencies<Profile>::kWanted;
+    for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
+      urgency(forest_.leaf[i].tet) =
+          static_cast<uint8_t>(Urgencies<Profile>::kWanted + i * kLevels / forest_.leaf_count);
+    }
+  }
+  void calm_merges() {
+    for (uint32_t i = 0; i < state_.tethers.count; ++i) {
+      const Tether& tether = state_.tethers.tether[i];
+      Patch patch{};
+      if (tether.ticks_left > 1) continue;
+      if (find_merge(forest_, forest_.child(tether.tet, 0), patch) != MeshStatus::kDone) continue;
+      for (uint32_t k = 0; k < patch.count; ++k) {
+        urgency(forest_.child(patch.tet[k], 0)) = Urgencies<Profile>::kCalm;
+        urgency(forest_.child(patch.tet[k], 1)) = Urgencies<Profile>::kCalm;
+      }
+    }
+  }
+
+  /// The longest descents that end at a bar, then the one to the largest patch that fits.
+  void want_worst_patches() {
+    for (uint32_t look = 0; look + 1 < MostUrgent<Profile>::kLooks; ++look)
+      want_worst(look + 1 < kBarredLooks);
+    want_worst(false);
+  }
+  static constexpr uint32_t kBarredLooks = MostUrgent<Profile>::kLooks - Profile::kPatches + 1;
+  void want_worst(bool is_to_fail) {
+    uint32_t most = 0;
+    uint16_t worst = kNone;
+    for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
+      const Leaf& leaf = forest_.leaf[i];
+      if (urgency(leaf.tet) < Urgencies<Profile>::kWanted || urgency(leaf.tet) == Urgencies<Profile>::kMost)
+        continue;
+      if (is_tethered(refinement_edge(leaf))) continue;
+      const Descent descent = descend(state_, leaf.tet);
+      const bool fails = descent.status != MeshStatus::kDone || !descent.is_within_levels ||
+                         is_tethered(refinement_edge(forest_.leaf_of(descent.patch.tet[0])));
+      if (fails != is_to_fail) continue;
+      const uint32_t cost = descent.looks + (is_to_fail ? 0 : 8 * descent.patch.count);
+      if (cost <= most) continue;
+      most = cost;
+      worst = leaf.tet;
+    }
+    if (worst != kNone) urgency(worst) = Urgencies<Profile>::kMost;
+  }
+  [[nodiscard]] bool is_tethered(const EdgeEnds& ends) const {
+    return state_.tethers.holds(ends[0]) || state_.tethers.holds(ends[1]);
+  }
+
+  /// Where the slice of leaves that are measured in a tick has most neighbours.
+  [[nodiscard]] uint16_t inmost_window() const {
+    constexpr uint32_t kSlice = Urgencies<Profile>::kSlice;
+    uint32_t best = 0;
+    uint32_t most = 0;
+    for (uint32_t first = 0; first + kSlice <= forest_.leaf_count; first += 4) {
+      uint32_t neighbours = 0;
+      for (uint32_t i = first; i < first + kSlice; ++i) {
+        for (const uint16_t neighbour : forest_.leaf[i].neighbour) neighbours += neighbour != kNone ? 1u : 0u;
+      }
+      if (neighbours > most) best = first;
+      if (neighbours > most) most = neighbours;
+    }
+    return static_cast<uint16_t>(best);
+  }
+
+  uint8_t& urgency(uint16_t tet) { return state_.urgencies.of[tet]; }
+
+  CoreState& state_;
+  TheForest& forest_;
+  Draw& draw_;
+};
+
+}  // namespace palpate::worst_case

@@ -1,0 +1,98 @@
+// The program of the worst case: the firmware's tick, in states and with inputs that an adversary chose. Its
+// name tells the linker script that it is the background's.
+//
+// On QEMU's command line "search FIRST COUNT" runs other seeds than the recorded ones.
+#include "background.hpp"
+#include "console_report.hpp"
+#include "inputs.hpp"
+#include "palpate/ports/buttons.hpp"
+#include "palpate/ports/cycle_counter.hpp"
+#include "palpate/ports/system.hpp"
+#include "palpate/ports/tick_timer.hpp"
+#include "semihosting.hpp"
+#include "setup.hpp"
+#include "text.hpp"
+
+namespace palpate::worst_case {
+namespace {
+
+constexpr uint32_t kSeeds[] = {141, 461};
+
+void print_figure(const char* name, uint32_t value) {
+  firmware::print(name);
+  firmware::print_decimal(value);
+}
+
+void require_whole(firmware::Run& run, uint32_t seed, uint32_t tick) {
+  const firmware::Integrity integrity = firmware::check_integrity(run.state);
+  if (integrity.is_whole()) return;
+  print_figure("seed,", seed);
+  firmware::print("\n");
+  firmware::print_broken(tick, integrity);
+  firmware::give_up();
+}
+
+void run_tick(firmware::Run& run, uint32_t seed, uint32_t tick) {
+  ++g_inputs.reading_number;
+  const uint32_t start = port::read_cycle_counter();
+  port::on_tick();
+  const uint32_t instructions = port::read_cycle_counter() - start;
+  print_figure("tick,", seed);
+  print_figure(",", tick);
+  print_figure(",", instructions);
+  print_figure(",leaves,", run.state.core.forest.leaf_count);
+  print_figure(",nodes,", run.state.core.forest.nodes.used());
+  print_figure(",groups,", run.state.core.front.groups.used());
+  print_figure(",tethers,", run.state.core.tethers.count);
+  firmware::print("\n");
+  require_whole(run, seed, tick);
+}
+
+void run_scene(firmware::Run& run, uint32_t seed) {
+  const Scene scene = draw_scene(seed);
+  const Status status = Setup(run, scene).build();
+  if (status != Status::kDone) {
+    print_figure("refused,", seed);
+    print_figure(",", static_cast<uint32_t>(status));
+    firmware::print("\n");
+    firmware::give_up();
+  }
+  require_whole(run, seed, 0);
+  g_inputs = {};
+  g_inputs.buttons = port::kGraspButton;
+  for (uint32_t tick = 1; tick <= 2; ++tick) run_tick(run, seed, tick);
+}
+
+constexpr uint32_t kMostCommandLine = 100;
+
+/// The number behind a blank, from the last one back.
+uint32_t take_number(char*& end) {
+  uint32_t number = 0;
+  uint32_t place = 1;
+  for (--end; *end >= '0' && *end <= '9'; --end, place *= 10)
+    number += static_cast<uint32_t>(*end - '0') * place;
+  return number;
+}
+
+[[noreturn]] void run_scenes() {
+  firmware::Run& run = firmware::begin_run();
+  static std::array<char, kMostCommandLine> line{};
+  mps2::semihosting_call(mps2::Semihosting::kCommandLine,
+                         {mps2::address_of(line.data() + 1), kMostCommandLine - 2, 0});
+  char* end = line.data() + 1;
+  while (*end != '\0') ++end;
+  const uint32_t count = take_number(end);
+  if (count > 0) {
+    const uint32_t first = take_number(end);
+    for (uint32_t i = 0; i < count; ++i) run_scene(run, first + i);
+  } else {
+    for (const uint32_t seed : kSeeds) run_scene(run, seed);
+  }
+  firmware::print("end\n");
+  port::exit_program(0);
+}
+
+}  // namespace
+}  // namespace palpate::worst_case
+
+void palpate::port::run_firmware() { worst_case::run_scenes(); }
