@@ -12,7 +12,7 @@ inline constexpr uint8_t kBarred = 1;
 /// As heavy as tissue; the lightest node of the deepest level moves less than 8 edges a substep for a unit
 /// force. Made by the compiler, as ratios are 64-bit divisions.
 inline constexpr golden::Discretization kDiscretization{
-    0, 0, Profile::kMaxLevel, Profile::kSubsteps, 1000, Q<0, 31>::ratio(3, 4), 16};
+    0, 0, Profile::kMaxLevel, Profile::kSubsteps, 1000, Q<0, 31>::ratio(3, 4), 18};
 inline constexpr firmware::CycleModel kModel{golden::make_body(kDiscretization), golden::make_scene()};
 
 constexpr ContactRules make_contact_rules() {

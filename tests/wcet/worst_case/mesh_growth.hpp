@@ -53,7 +53,7 @@ class MeshGrowth {
  private:
   /// Of some patches drawn, the one after which leaves and nodes run out most nearly together.
   bool draw_patch(Patch& patch) {
-    constexpr uint32_t kDraws = 8;
+    constexpr uint32_t kDraws = 24;
     const auto leaves = static_cast<int32_t>(Profile::kLeaves - forest_.leaf_count);
     const auto nodes = static_cast<int32_t>(Profile::kNodes - forest_.nodes.used());
     int32_t least = 0x7fffffff;
@@ -64,7 +64,9 @@ class MeshGrowth {
       if (count > leaves || nodes == 0) continue;
       int32_t cost = count * nodes - leaves;
       cost = cost < 0 ? -cost : cost;
-      if (scene_.is_deep) cost -= nodes * forest_.leaf_of(descent.patch.tet[0]).level;
+      const uint8_t level = forest_.leaf_of(descent.patch.tet[0]).level;
+      if (scene_.keeps_type1 && type_of_level(level) == TetType::kType1) cost += 8 * nodes;
+      if (scene_.is_deep) cost -= nodes * level;
       if (cost < least) patch = descent.patch;
       if (cost < least) least = cost;
     }
@@ -77,11 +79,11 @@ class MeshGrowth {
   Draw& draw_;
 };
 
-/// Groups of the front are split until all are in use.
-inline void split_groups(CoreState& state, Draw& draw) {
+/// Groups of the front are split until so many are in use.
+inline void split_groups(CoreState& state, uint32_t most, Draw& draw) {
   auto& front = state.front;
   constexpr uint32_t kMostMisses = 100;
-  for (uint32_t misses = 0; misses < kMostMisses; ++misses) {
+  for (uint32_t misses = 0; misses < kMostMisses && front.groups.used() < most; ++misses) {
     const uint16_t group = front.groups.live(draw.below(front.groups.used()));
     if (state.forest.tet[front.tet[group]].is_leaf) continue;
     auto leaves = bounded_total<Profile::kLeaves>([] {});

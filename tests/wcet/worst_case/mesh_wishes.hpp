@@ -13,6 +13,7 @@ class MeshWishes {
   void make() {
     state_.tethers.clear();
     state_.urgencies.clear();
+    state_.urgencies.merge_at = static_cast<uint16_t>(draw_.below(forest_.leaf_count));
     add_ending_tethers();
     add_tethers();
     want_all_leaves();
@@ -20,7 +21,6 @@ class MeshWishes {
     want_worst_patches();
     state_.urgencies.sweep_at = inmost_window();
     state_.urgencies.split_at = 0;
-    state_.urgencies.merge_at = static_cast<uint16_t>(draw_.below(forest_.leaf_count));
   }
 
  private:
@@ -63,15 +63,17 @@ class MeshWishes {
     state_.tethers.add(Tether{merge.middle, merge.ends, merge.patch.tet[0], left, TetherKind::kDraw, 0});
   }
 
-  /// As many as a tick looks at, the largest patches.
+  /// As many as a tick looks at, the largest patches. The first ones will not be calm.
   void add_ending_tethers() {
     for (uint32_t size = kMaxPatch; size > 0; --size) {
       for (uint32_t i = 0; i < forest_.leaf_count && state_.tethers.count < kLooks; ++i) {
         Merge merge;
-        if (find(forest_.leaf[i], merge) && merge.patch.count == size && is_below_front(merge.patch))
-          tether(merge, 1);
+        if (!find(forest_.leaf[i], merge) || merge.patch.count != size || !is_below_front(merge.patch))
+          continue;
+        tether(merge, 1);
       }
     }
+    ending_ = state_.tethers.count;
   }
   void add_tethers() {
     const uint32_t start = draw_.below(forest_.leaf_count);
@@ -89,16 +91,32 @@ class MeshWishes {
           static_cast<uint8_t>(Urgencies<Profile>::kWanted + i * kLevels / forest_.leaf_count);
     }
   }
+  /// Half of the patches whose tethers end may be merged, as far as the budget goes; some others are calm.
   void calm_merges() {
-    for (uint32_t i = 0; i < state_.tethers.count; ++i) {
-      const Tether& tether = state_.tethers.tether[i];
+    uint32_t tets = 0;
+    for (uint32_t i = ending_ / 2; i < ending_; ++i) {
       Patch patch{};
-      if (tether.ticks_left > 1) continue;
-      if (find_merge(forest_, forest_.child(tether.tet, 0), patch) != MeshStatus::kDone) continue;
-      for (uint32_t k = 0; k < patch.count; ++k) {
-        urgency(forest_.child(patch.tet[k], 0)) = Urgencies<Profile>::kCalm;
-        urgency(forest_.child(patch.tet[k], 1)) = Urgencies<Profile>::kCalm;
-      }
+      const uint16_t child = forest_.child(state_.tethers.tether[i].tet, 0);
+      if (find_merge(forest_, child, patch) != MeshStatus::kDone) continue;
+      calm(patch);
+      if (tets + patch.count > Profile::kTetsMerged) continue;
+      tets += patch.count;
+    }
+    room_ = Profile::kLeaves - forest_.leaf_count + tets;
+    uint32_t others = 0;
+    for (uint32_t i = 0; i < forest_.leaf_count && others < kLooks; ++i) {
+      const Leaf& leaf = forest_.leaf[(state_.urgencies.merge_at + i) % forest_.leaf_count];
+      Merge merge;
+      if (leaf.level == 0 || state_.tethers.holds(middle_node(leaf)) || urgency(leaf.tet) < 3) continue;
+      if (find_merge(forest_, leaf.tet, merge.patch) != MeshStatus::kDone || merge.patch.count < 6) continue;
+      calm(merge.patch);
+      ++others;
+    }
+  }
+  void calm(const Patch& patch) {
+    for (uint32_t k = 0; k < patch.count; ++k) {
+      urgency(forest_.child(patch.tet[k], 0)) = Urgencies<Profile>::kCalm;
+      urgency(forest_.child(patch.tet[k], 1)) = Urgencies<Profile>::kCalm;
     }
   }
 
@@ -120,7 +138,7 @@ class MeshWishes {
       const Descent descent = descend(state_, leaf.tet);
       const bool fails = descent.status != MeshStatus::kDone || !descent.is_within_levels ||
                          is_tethered(refinement_edge(forest_.leaf_of(descent.patch.tet[0])));
-      if (fails != is_to_fail) continue;
+      if (fails != is_to_fail || (!fails && descent.patch.count > room_)) continue;
       const uint32_t cost = descent.looks + (is_to_fail ? 0 : 8 * descent.patch.count);
       if (cost <= most) continue;
       most = cost;
@@ -153,6 +171,8 @@ class MeshWishes {
   CoreState& state_;
   TheForest& forest_;
   Draw& draw_;
+  uint32_t ending_ = 0;  // tethers, the first ones
+  uint32_t room_ = 0;    // for leaves, after the merges
 };
 
 }  // namespace palpate::worst_case

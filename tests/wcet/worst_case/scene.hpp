@@ -19,13 +19,16 @@ enum class Tool : uint8_t {
 struct Scene {
   uint32_t seed;
   std::array<uint8_t, 3> cubes;
-  bool is_apart;   // no two cubes have a face in common
-  uint8_t level;   // of all leaves, before the mesh grows
-  bool grows;      // until its pools are full
-  bool is_deep;    // it grows where it is finest already
-  bool has_bars;   // some cubes may not be refined
-  bool is_held;    // all nodes that need not be free for tethers
-  bool is_heaped;  // nodes lie on a line beside the tool; else near their rest positions
+  bool is_apart;         // no two cubes have a face in common
+  uint8_t level;         // of all leaves, before the mesh grows
+  bool grows;            // until its pools are full
+  bool is_deep;          // it grows where it is finest already
+  bool keeps_type1;      // it grows elsewhere than at leaves of the type with the costliest force
+  bool has_bars;         // some cubes may not be refined
+  bool is_held;          // all nodes that need not be free for tethers
+  bool is_heaped;        // nodes lie on a line beside the tool; else near their rest positions
+  bool is_crowded;       // more leaves' boxes hold the tool than a tick examines
+  uint16_t most_groups;  // the rotation front is split until there are so many
   StretchCriterion criterion;
   Tool tool;
 };
@@ -53,9 +56,11 @@ inline Scene draw_scene(uint32_t seed) {
   scene.level = static_cast<uint8_t>(draw.below(2));
   scene.grows = true;
   scene.is_deep = draw.one_in(2);
+  scene.keeps_type1 = draw.one_in(2);
   scene.has_bars = draw.one_in(2);
   scene.is_held = !draw.one_in(4);
   scene.is_heaped = true;
+  scene.most_groups = Profile::kGroups;
   scene.criterion = StretchCriterion::kStrainJump;
   scene.tool = draw.one_in(3) ? Tool::kPresses : Tool::kAppears;
   return scene;

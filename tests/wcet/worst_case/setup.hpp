@@ -19,7 +19,7 @@ class Setup {
     const Status status = firmware::start(run_.state, model_of(scene_, draw_));
     if (status != Status::kDone) return status;
     if (scene_.grows) MeshGrowth(state_, scene_, draw_).run();
-    split_groups(state_, draw_);
+    split_groups(state_, scene_.most_groups, draw_);
     start_groups(state_.front, state_.groups);
     hold_nodes();
     if (scene_.is_heaped) heap_nodes();
@@ -34,20 +34,40 @@ class Setup {
  private:
   [[nodiscard]] uint16_t node_at(uint32_t i) const { return forest_.nodes.live(i); }
 
-  /// All but those of a plane of the lattice, which has enough for the tethers and no more than it must.
+  /// All but those of a plane of the lattice: one where patches can be merged, with enough nodes for the
+  /// tethers and no more than there must be.
   void hold_nodes() {
     if (scene_.is_held) {
-      uint32_t least = 0xffff;
+      int32_t best = -0x7fff;
       for (uint32_t axis = 0; axis < 3; ++axis) {
         for (int32_t plane = -kEnd; plane <= kEnd; ++plane) {
-          const uint32_t free = nodes_in_plane(axis, plane);
-          if (free < 3u * Profile::kTethers / 2 || free >= least) continue;
-          least = free;
+          const int32_t worth = worth_of_plane(axis, plane);
+          if (worth <= best) continue;
+          best = worth;
           free_plane(axis, plane);
         }
       }
     }
     start_solve(forest_, state_.model.dynamics, state_.model.held, state_.solve);
+  }
+  /// In held nodes: a merge is worth more than one, a tether is worth some.
+  [[nodiscard]] int32_t worth_of_plane(uint32_t axis, int32_t plane) const {
+    const auto free = static_cast<int32_t>(nodes_in_plane(axis, plane));
+    if (free == 0) return -0x7fff;
+    int32_t tethers = 0;
+    int32_t largest = 0;
+    for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
+      const Leaf& leaf = forest_.leaf[i];
+      if (leaf.level == 0 || along(forest_.node.rest[middle_node(leaf)], axis) != plane) continue;
+      Patch patch{};
+      if (find_merge(forest_, leaf.tet, patch) != MeshStatus::kDone) continue;
+      // Each leaf of the patch says so.
+      tethers += 256 / static_cast<int32_t>(2 * patch.count);
+      largest = static_cast<int32_t>(patch.count) > largest ? static_cast<int32_t>(patch.count) : largest;
+    }
+    tethers /= 256;
+    if (tethers > Profile::kTethers) tethers = Profile::kTethers;
+    return 8 * largest + 6 * tethers - free;
   }
   static constexpr int32_t kEnd = kMaxCubesPerAxis * kLatticeStepsPerEdge / 2;  // of the lattice
   static int32_t along(LatticePoint p, uint32_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
@@ -117,10 +137,10 @@ class Setup {
       x = Vector3<Position>(Position::ratio(-1, 2), Position::ratio(1, 1),
                             Position::from_raw(draw_.within(1 << 26)));
       const Near near = near_origin();
-      const bool fits = scene_.tool == Tool::kPresses ||
-                        (near.boxes <= kMostBoxes && near.faces <= Candidates<Profile>::kMost);
+      const bool fits = scene_.tool == Tool::kPresses || ((scene_.is_crowded || near.boxes <= kMostBoxes) &&
+                                                          near.faces <= Candidates<Profile>::kMost);
       if (!fits) x = before;
-      if (near.boxes == kMostBoxes) break;
+      if (near.boxes == kMostBoxes && !scene_.is_crowded) break;
     }
   }
 
@@ -176,8 +196,28 @@ class Setup {
     const Vector3<Position> tool = firmware::in_body_frame(cycle.scene, at);
     for (std::size_t axis = 0; axis < 3; ++axis)
       cycle.scene.device_origin[axis] = -tool[static_cast<Eigen::Index>(axis)];
-    state_.contact.clear();
-    if (scene_.tool == Tool::kPresses) state_.contact.begin(zero_vector<Position>());
+    place_contact();
+  }
+
+  /// A tool that presses has touched nodes, one of which a merge may take away in this tick.
+  void place_contact() {
+    Contact& contact = state_.contact;
+    contact.clear();
+    if (scene_.tool != Tool::kPresses) return;
+    contact.begin(zero_vector<Position>());
+    contact.is_touching = true;
+    contact.load.count = 3 + draw_.below(Load::kMost - 2);
+    for (uint32_t i = 0; i < contact.load.count; ++i) {
+      contact.load.node[i] = node_at(draw_.below(forest_.nodes.used()));
+      contact.load.weight[i] = Fraction::from_raw((1 << 30) / 6);
+    }
+    // Of the tethers that end, the first kPatches are refused.
+    if (state_.tethers.count > Profile::kPatches)
+      contact.load.node[0] = state_.tethers.tether[Profile::kPatches].node;
+    contact.anchor = loaded_point(forest_, contact.load);
+    const auto entry = [this] { return Position::from_raw(draw_.within(1 << 26)); };
+    contact.stretch = Vector3<Position>(entry(), entry(), entry());
+    contact.normal = direction_of(contact.stretch);
   }
 
   firmware::Run& run_;
