@@ -3,13 +3,12 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <fstream>
 
 #include "support/temporary_folder.hpp"
-
-extern char** environ;
 
 namespace palpate::wcet {
 namespace {
@@ -22,6 +21,7 @@ std::string contents_of(const std::string& path) {
 /// Its exit status; both of its outputs go to a file.
 int run(const std::vector<std::string>& command, const std::string& output) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t files;

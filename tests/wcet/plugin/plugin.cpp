@@ -28,22 +28,22 @@ Plugin* g_plugin = nullptr;
 void execute(unsigned int, void* spot) { g_plugin->trace.execute(*static_cast<Spot*>(spot)); }
 
 // Of Thumb code. At a page's end qemu_plugin_insn_size counts bytes of the next instruction too.
-uint32_t bytes_of(const qemu_plugin_insn* instruction) {
+uint32_t bytes_of(const TranslatedInstruction* instruction) {
   constexpr unsigned kFirstOfTwo = 0x1d;
   const auto* data = static_cast<const uint8_t*>(qemu_plugin_insn_data(instruction));
   return data[1] >> 3 >= kFirstOfTwo ? 4 : 2;
 }
 
-void translate(qemu_plugin_id_t, qemu_plugin_tb* block) {
+void translate(PluginId, TranslatedBlock* block) {
   for (size_t i = 0; i < qemu_plugin_tb_n_insns(block); ++i) {
-    qemu_plugin_insn* instruction = qemu_plugin_tb_get_insn(block, i);
+    TranslatedInstruction* instruction = qemu_plugin_tb_get_insn(block, i);
     const auto address = static_cast<uint32_t>(qemu_plugin_insn_vaddr(instruction));
     Spot& spot = g_plugin->trace.spot(address, bytes_of(instruction));
-    qemu_plugin_register_vcpu_insn_exec_cb(instruction, execute, QEMU_PLUGIN_CB_NO_REGS, &spot);
+    qemu_plugin_register_vcpu_insn_exec_cb(instruction, execute, kUsesNone, &spot);
   }
 }
 
-void leave_counts(qemu_plugin_id_t, void*) {
+void leave_counts(PluginId, void*) {
   std::ofstream file(g_plugin->counts_path);
   write_counts(g_plugin->trace.counts(), file);
   if (!file) std::fprintf(stderr, "palpate: can't write %s\n", g_plugin->counts_path.c_str());
@@ -57,7 +57,7 @@ std::string argument(int argc, char** argv, const std::string& name) {
   throw std::runtime_error("the plugin needs " + name + "=FILE");
 }
 
-void refuse_others(const qemu_info_t& qemu) {
+void refuse_others(const QemuInfo& qemu) {
   if (qemu.version.min > qemu_plugin_version || qemu.version.cur < qemu_plugin_version) {
     throw std::runtime_error("this QEMU's plugins have interface " + std::to_string(qemu.version.min) +
                              " to " + std::to_string(qemu.version.cur) + ", and not " +
@@ -67,7 +67,7 @@ void refuse_others(const qemu_info_t& qemu) {
     throw std::runtime_error("a system of one Arm processor is counted, and no other");
 }
 
-void install(qemu_plugin_id_t id, const qemu_info_t& qemu, int argc, char** argv) {
+void install(PluginId id, const QemuInfo& qemu, int argc, char** argv) {
   refuse_others(qemu);
   const std::string path = argument(argc, argv, "plan");
   std::ifstream file(path);
@@ -80,9 +80,8 @@ void install(qemu_plugin_id_t id, const qemu_info_t& qemu, int argc, char** argv
 }  // namespace
 }  // namespace palpate::wcet
 
-extern "C" __attribute__((visibility("default"))) int qemu_plugin_install(qemu_plugin_id_t id,
-                                                                          const qemu_info_t* info, int argc,
-                                                                          char** argv) {
+extern "C" __attribute__((visibility("default"))) int qemu_plugin_install(PluginId id, const QemuInfo* info,
+                                                                          int argc, char** argv) {
   try {
     palpate::wcet::install(id, *info, argc, argv);
   } catch (const std::exception& error) {

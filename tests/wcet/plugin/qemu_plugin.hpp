@@ -1,5 +1,6 @@
 // QEMU's interface for plugins, version 1 (QEMU 4.2 to 8.1), as far as it is used here: Debian packages no
-// header. The names are QEMU's. Its source, docs and licence: include/qemu/qemu-plugin.h of qemu 7.2.
+// header. The functions have QEMU's names, the types have names of ours. From include/qemu/qemu-plugin.h of
+// QEMU 7.2.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +8,9 @@
 
 extern "C" {
 
-using qemu_plugin_id_t = uint64_t;
+using PluginId = uint64_t;
 
-struct qemu_info_t {
+struct QemuInfo {
   const char* target_name;
   struct {
     int min;  // the oldest interface that this QEMU still has
@@ -22,25 +23,26 @@ struct qemu_info_t {
   } system;
 };
 
-struct qemu_plugin_tb;    // a translated block
-struct qemu_plugin_insn;  // an instruction of it
+struct TranslatedBlock;
+struct TranslatedInstruction;
 
-enum qemu_plugin_cb_flags { QEMU_PLUGIN_CB_NO_REGS, QEMU_PLUGIN_CB_R_REGS, QEMU_PLUGIN_CB_RW_REGS };
+/// What a callback does with the processor's registers.
+enum RegisterUse : int { kUsesNone, kReads, kReadsAndWrites };
 
-using qemu_plugin_udata_cb_t = void (*)(qemu_plugin_id_t id, void* userdata);
-using qemu_plugin_vcpu_tb_trans_cb_t = void (*)(qemu_plugin_id_t id, qemu_plugin_tb* block);
-using qemu_plugin_vcpu_udata_cb_t = void (*)(unsigned int vcpu, void* userdata);
+using AtExit = void (*)(PluginId id, void* data);
+using AtTranslation = void (*)(PluginId id, TranslatedBlock* block);
+using AtExecution = void (*)(unsigned int processor, void* data);
 
-void qemu_plugin_register_vcpu_tb_trans_cb(qemu_plugin_id_t id, qemu_plugin_vcpu_tb_trans_cb_t call);
-void qemu_plugin_register_vcpu_insn_exec_cb(qemu_plugin_insn* instruction, qemu_plugin_vcpu_udata_cb_t call,
-                                            qemu_plugin_cb_flags flags, void* userdata);
-void qemu_plugin_register_atexit_cb(qemu_plugin_id_t id, qemu_plugin_udata_cb_t call, void* userdata);
-size_t qemu_plugin_tb_n_insns(const qemu_plugin_tb* block);
-qemu_plugin_insn* qemu_plugin_tb_get_insn(const qemu_plugin_tb* block, size_t index);
-uint64_t qemu_plugin_insn_vaddr(const qemu_plugin_insn* instruction);
-const void* qemu_plugin_insn_data(const qemu_plugin_insn* instruction);
+void qemu_plugin_register_vcpu_tb_trans_cb(PluginId id, AtTranslation call);
+void qemu_plugin_register_vcpu_insn_exec_cb(TranslatedInstruction* instruction, AtExecution call,
+                                            RegisterUse use, void* data);
+void qemu_plugin_register_atexit_cb(PluginId id, AtExit call, void* data);
+size_t qemu_plugin_tb_n_insns(const TranslatedBlock* block);
+TranslatedInstruction* qemu_plugin_tb_get_insn(const TranslatedBlock* block, size_t index);
+uint64_t qemu_plugin_insn_vaddr(const TranslatedInstruction* instruction);
+const void* qemu_plugin_insn_data(const TranslatedInstruction* instruction);
 
 // What QEMU looks for in a plugin.
 extern int qemu_plugin_version;
-int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t* info, int argc, char** argv);
+int qemu_plugin_install(PluginId id, const QemuInfo* info, int argc, char** argv);
 }

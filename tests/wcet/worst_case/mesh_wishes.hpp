@@ -19,8 +19,8 @@ class MeshWishes {
     want_all_leaves();
     calm_merges();
     want_worst_patches();
+    meet_worst_last();
     state_.urgencies.sweep_at = inmost_window();
-    state_.urgencies.split_at = 0;
   }
 
  private:
@@ -83,12 +83,30 @@ class MeshWishes {
     }
   }
 
-  /// The later a leaf is looked at, the more urgent it is.
   void want_all_leaves() {
+    for (uint32_t i = 0; i < forest_.leaf_count; ++i)
+      urgency(forest_.leaf[i].tet) = Urgencies<Profile>::kWanted;
+  }
+
+  /// The search begins behind one of the most urgent leaves, where it is longest until it meets another. On
+  /// its way every leaf is at least as urgent as those before.
+  void meet_worst_last() {
     constexpr uint32_t kLevels = Urgencies<Profile>::kMost - Urgencies<Profile>::kWanted;
-    for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
-      urgency(forest_.leaf[i].tet) =
-          static_cast<uint8_t>(Urgencies<Profile>::kWanted + i * kLevels / forest_.leaf_count);
+    const uint32_t count = forest_.leaf_count;
+    uint32_t longest = 0;
+    uint32_t since = 0;  // the last of the most urgent
+    for (uint32_t i = 0; i < 2 * count; ++i, ++since) {
+      if (urgency(forest_.leaf[i % count].tet) != Urgencies<Profile>::kMost) continue;
+      if (since > longest)
+        state_.urgencies.split_at = static_cast<uint16_t>((i + 2 * count + 1 - since) % count);
+      if (since > longest) longest = since;
+      since = 0;
+    }
+    if (longest == 0) longest = count;
+    for (uint32_t i = 0; i < count; ++i) {
+      uint8_t& of = urgency(forest_.leaf[(state_.urgencies.split_at + i) % count].tet);
+      const uint32_t level = i < longest ? i * kLevels / longest : kLevels - 1;
+      if (of == Urgencies<Profile>::kWanted) of = static_cast<uint8_t>(Urgencies<Profile>::kWanted + level);
     }
   }
   /// Half of the patches whose tethers end may be merged, as far as the budget goes; some others are calm.
