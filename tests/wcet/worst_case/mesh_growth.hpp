@@ -53,7 +53,7 @@ class MeshGrowth {
  private:
   /// Of some patches drawn, the one after which leaves and nodes run out most nearly together.
   bool draw_patch(Patch& patch) {
-    constexpr uint32_t kDraws = 24;
+    constexpr uint32_t kDraws = 48;
     const auto leaves = static_cast<int32_t>(Profile::kLeaves - forest_.leaf_count);
     const auto nodes = static_cast<int32_t>(Profile::kNodes - forest_.nodes.used());
     int32_t least = 0x7fffffff;
@@ -79,13 +79,27 @@ class MeshGrowth {
   Draw& draw_;
 };
 
-/// Groups of the front are split until so many are in use.
-inline void split_groups(CoreState& state, uint32_t most, Draw& draw) {
-  auto& front = state.front;
-  constexpr uint32_t kMostMisses = 100;
-  for (uint32_t misses = 0; misses < kMostMisses && front.groups.used() < most; ++misses) {
+/// One that can be split, or kNone.
+inline uint16_t draw_group(const CoreState& state, bool is_coarsest, Draw& draw) {
+  constexpr uint32_t kDraws = 16;
+  const auto& front = state.front;
+  uint16_t best = kNone;
+  for (uint32_t i = 0; i < kDraws && (is_coarsest || best == kNone); ++i) {
     const uint16_t group = front.groups.live(draw.below(front.groups.used()));
-    if (state.forest.tet[front.tet[group]].is_leaf) continue;
+    const Tet& tet = state.forest.tet[front.tet[group]];
+    if (!tet.is_leaf && (best == kNone || tet.level < state.forest.tet[front.tet[best]].level)) best = group;
+  }
+  return best;
+}
+
+/// Groups of the front are split until so many are in use.
+inline void split_groups(CoreState& state, const Scene& scene, Draw& draw) {
+  auto& front = state.front;
+  index_groups(state.forest, front);
+  constexpr uint32_t kMostMisses = 20;
+  for (uint32_t misses = 0; misses < kMostMisses && front.groups.used() < scene.most_groups; ++misses) {
+    const uint16_t group = draw_group(state, scene.is_front_flat, draw);
+    if (group == kNone) continue;
     auto leaves = bounded_total<Profile::kLeaves>([] {});
     if (split_group(state.forest, front, group, leaves) == kNone) return;
     index_groups(state.forest, front);

@@ -20,7 +20,7 @@ namespace palpate::worst_case {
 namespace {
 
 constexpr uint32_t kStorms = 6;
-constexpr uint32_t kWilds = 400;
+constexpr uint32_t kWilds = 900;
 constexpr uint32_t kWildTicks = 8;
 
 void print_figure(const char* name, uint32_t value) {
@@ -74,7 +74,7 @@ void run_scene(firmware::Run& run, uint32_t seed) {
 
 void run_wild(firmware::Run& run, uint32_t seed) {
   Scene scene = draw_scene(seed);
-  scene.grows = seed % 12 == 0;
+  scene.grows = seed % 8 == 0;
   scene.is_crowded = seed % 5 == 0;
   if (seed % 3 != 0) scene.most_groups = static_cast<uint16_t>(seed % Profile::kGroups);
   set_up(run, scene);
@@ -107,7 +107,7 @@ void run_odd_ticks(firmware::Run& run) {
 }
 
 void run_storm(firmware::Run& run, uint32_t seed) {
-  constexpr uint32_t kTicks = 300;
+  constexpr uint32_t kTicks = Profile::kLeaves > 400 ? 150 : 300;
   g_inputs = {};
   StormRun storm(run, seed);
   if (storm.start() != Status::kDone) {

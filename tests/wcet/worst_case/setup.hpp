@@ -19,7 +19,7 @@ class Setup {
     const Status status = firmware::start(run_.state, model_of(scene_, draw_));
     if (status != Status::kDone) return status;
     if (scene_.grows) MeshGrowth(state_, scene_, draw_).run();
-    split_groups(state_, scene_.most_groups, draw_);
+    split_groups(state_, scene_, draw_);
     start_groups(state_.front, state_.groups);
     hold_nodes();
     if (scene_.is_heaped) heap_nodes();
