@@ -1,4 +1,5 @@
 // What the plugin counts: programs whose counts are known by hand, and what QEMU's own clock says.
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include "../measure/counted_run.hpp"
 #include "../measure/measurement.hpp"
 #include "../measure/planning.hpp"
+#include "../plugin/qemu_plugin.hpp"
 #include "cross_compiler.hpp"
 #include "generated_program.hpp"
 
@@ -178,6 +180,25 @@ TEST(Counting, WantsAWholeRun) {
                            .replace(0, 0, "ASSEMBLER void other() { asm volatile(\"bx lr\"); }\n"),
                        "other");
   EXPECT_THROW((void)run.measurement(), RunFailed) << "the run never comes to it";
+}
+
+// Loaded without QEMU: none of its functions is called before all is right.
+TEST(Counting, RefusesAnotherQemu) {
+  void* plugin = dlopen(PALPATE_COUNTING_PLUGIN, RTLD_LAZY);
+  ASSERT_NE(plugin, nullptr) << dlerror();
+  const auto install = reinterpret_cast<decltype(&qemu_plugin_install)>(dlsym(plugin, "qemu_plugin_install"));
+  ASSERT_NE(install, nullptr);
+  const auto refuses = [install](const QemuInfo& qemu) {
+    testing::internal::CaptureStderr();
+    const bool is_refused = install(1, &qemu, 0, nullptr) != 0;
+    const std::string why = testing::internal::GetCapturedStderr();
+    return is_refused ? why : "not refused";
+  };
+  EXPECT_NE(refuses({"arm", {2, 3}, true, {1, 1}}).find("interface 2 to 3, and not 1"), std::string::npos);
+  EXPECT_NE(refuses({"riscv32", {0, 1}, true, {1, 1}}).find("one Arm processor"), std::string::npos);
+  EXPECT_NE(refuses({"arm", {0, 1}, true, {2, 2}}).find("one Arm processor"), std::string::npos);
+  EXPECT_NE(refuses({"arm", {0, 1}, true, {1, 1}}).find("needs plan=FILE"), std::string::npos);
+  dlclose(plugin);
 }
 
 // QEMU's clock counts the same instructions, whatever the program and the compiler's options.
