@@ -47,7 +47,7 @@ inline firmware::CycleModel model_of(const Scene& scene, Draw& draw) {
   Model& body = model.body;
   body.level = scene.level;
   body.block = block_of(scene, draw);
-  body.remesh.stretch.criterion = scene.criterion;
+  body.remesh.stretch.criterion = StretchCriterion::kSixEdges;
   if (scene.has_bars) body.remesh.stretch.levels[kBarred].most = scene.level;
   body.contact = kContactRules;
   body.grasp_reach = Position::from_raw(0);

@@ -30,7 +30,6 @@ struct Scene {
   bool is_crowded;       // more leaves' boxes hold the tool than a tick examines
   uint16_t most_groups;  // the rotation front is split until there are so many
   bool is_front_flat;    // its coarsest groups are split first, so that most have their sibling beside them
-  StretchCriterion criterion;
   Tool tool;
 };
 
@@ -63,7 +62,6 @@ inline Scene draw_scene(uint32_t seed) {
   scene.is_heaped = true;
   scene.most_groups = Profile::kGroups;
   scene.is_front_flat = draw.one_in(2);
-  scene.criterion = StretchCriterion::kStrainJump;
   scene.tool = draw.one_in(3) ? Tool::kPresses : Tool::kAppears;
   return scene;
 }

@@ -108,15 +108,15 @@ class Setup {
     uint32_t boxes = 0;
     uint32_t faces = 0;
   };
-  [[nodiscard]] Near near_origin() const {
+  [[nodiscard]] Near near_origin() {
     Near near;
     const auto& x = forest_.node.position;
     const Vector3<Position> origin = zero_vector<Position>();
+    Sides<Profile>& sides = state_.candidates.sides;
+    sides.find(forest_, origin, Position::from_raw(0));
     for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
       const Leaf& leaf = forest_.leaf[i];
-      const auto& node = leaf.node;
-      near.boxes +=
-          inside_detail::is_in_box(x[node[0]], x[node[1]], x[node[2]], x[node[3]], origin) ? 1u : 0u;
+      near.boxes += sides.is_beyond(leaf) ? 0u : 1u;
       for (uint32_t face = 0; face < 4; ++face) {
         if (leaf.neighbour[face] != kNone) continue;
         const FaceNodes corner = face_nodes(leaf, face);

@@ -42,7 +42,7 @@ class StormRun {
     firmware::CycleModel model = kModel;
     Model& body = model.body;
     body.level = static_cast<uint8_t>(1 + draw_.below(Profile::kLeaves >= 400 ? 4 : 3));
-    body.remesh.stretch.criterion = static_cast<StretchCriterion>(1 + seed_ % 3);
+    body.remesh.stretch.criterion = static_cast<StretchCriterion>(1 + seed_ % 2);
     body.remesh.stretch.levels[kBarred].most = body.level;
     body.block.region[1] = kBarred;
     body.contact = kContactRules;

@@ -17,7 +17,7 @@ class Wild {
     shake_nodes();
     shake_groups();
     end_tethers();
-    core_.model.remesh.stretch.criterion = static_cast<StretchCriterion>(draw_.below(4));
+    core_.model.remesh.stretch.criterion = static_cast<StretchCriterion>(draw_.below(3));
     run_.state.invariants.next_leaf = static_cast<uint16_t>(draw_.below(core_.forest.leaf_count));
     shake_device();
     shake_safety();
