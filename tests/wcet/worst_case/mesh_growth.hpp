@@ -15,6 +15,7 @@ struct Descent {
   MeshStatus status = MeshStatus::kNotReady;
   Patch patch{};
   uint32_t looks = 0;  // at leaves
+  uint32_t steps = 0;  // from one to a coarser one, and the last
   bool is_within_levels = true;
 };
 
@@ -24,6 +25,7 @@ inline Descent descend(const CoreState& state, uint16_t wanted) {
   for (uint32_t step = 0; step <= Profile::kMaxLevel; ++step) {
     descent.status = find_patch(forest, wanted, descent.patch);
     descent.looks += 1 + descent.patch.count;
+    ++descent.steps;
     if (descent.status != MeshStatus::kNotReady) break;
     wanted = descent.patch.blocker;
   }
@@ -80,14 +82,17 @@ class MeshGrowth {
 };
 
 /// One that can be split, or kNone.
-inline uint16_t draw_group(const CoreState& state, bool is_coarsest, Draw& draw) {
+inline uint16_t draw_group(const CoreState& state, Front which, Draw& draw) {
   constexpr uint32_t kDraws = 16;
   const auto& front = state.front;
+  const auto size_of = [&](uint16_t group) -> uint32_t {
+    return which == Front::kUneven ? front.leaves[group].count : state.forest.tet[front.tet[group]].level;
+  };
   uint16_t best = kNone;
-  for (uint32_t i = 0; i < kDraws && (is_coarsest || best == kNone); ++i) {
+  for (uint32_t i = 0; i < kDraws && (which != Front::kAny || best == kNone); ++i) {
     const uint16_t group = front.groups.live(draw.below(front.groups.used()));
-    const Tet& tet = state.forest.tet[front.tet[group]];
-    if (!tet.is_leaf && (best == kNone || tet.level < state.forest.tet[front.tet[best]].level)) best = group;
+    if (state.forest.tet[front.tet[group]].is_leaf) continue;
+    if (best == kNone || size_of(group) < size_of(best)) best = group;
   }
   return best;
 }
@@ -98,7 +103,7 @@ inline void split_groups(CoreState& state, const Scene& scene, Draw& draw) {
   index_groups(state.forest, front);
   constexpr uint32_t kMostMisses = 20;
   for (uint32_t misses = 0; misses < kMostMisses && front.groups.used() < scene.most_groups; ++misses) {
-    const uint16_t group = draw_group(state, scene.is_front_flat, draw);
+    const uint16_t group = draw_group(state, scene.front, draw);
     if (group == kNone) continue;
     auto leaves = bounded_total<Profile::kLeaves>([] {});
     if (split_group(state.forest, front, group, leaves) == kNone) return;

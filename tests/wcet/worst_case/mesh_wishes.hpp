@@ -14,16 +14,18 @@ class MeshWishes {
     state_.tethers.clear();
     state_.urgencies.clear();
     state_.urgencies.merge_at = static_cast<uint16_t>(draw_.below(forest_.leaf_count));
-    add_ending_tethers();
-    add_tethers();
+    state_.urgencies.sweep_at = static_cast<uint16_t>(draw_.below(forest_.leaf_count));
     want_all_leaves();
-    calm_merges();
+    add_ending_tethers();
+    const uint32_t merges = calm_ending();
+    add_tethers(Profile::kTethers + merges - Profile::kPatches);
+    calm_others();
     want_worst_patches();
     meet_worst_last();
-    state_.urgencies.sweep_at = inmost_window();
   }
 
  private:
+  using Urgency = Urgencies<Profile>;
   static constexpr uint32_t kLooks = 2 * Profile::kPatches;
 
   struct Merge {
@@ -75,57 +77,66 @@ class MeshWishes {
     }
     ending_ = state_.tethers.count;
   }
-  void add_tethers() {
+  /// With room left for the middle nodes of the patches that will be split.
+  void add_tethers(uint32_t most) {
     const uint32_t start = draw_.below(forest_.leaf_count);
-    for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
+    for (uint32_t i = 0; i < forest_.leaf_count && state_.tethers.count < most; ++i) {
       Merge merge;
       if (find(forest_.leaf[(start + i) % forest_.leaf_count], merge)) tether(merge, 2 + draw_.below(30));
     }
   }
 
   void want_all_leaves() {
-    for (uint32_t i = 0; i < forest_.leaf_count; ++i)
-      urgency(forest_.leaf[i].tet) = Urgencies<Profile>::kWanted;
+    for (uint32_t i = 0; i < forest_.leaf_count; ++i) urgency(forest_.leaf[i].tet) = Urgency::kWanted;
   }
 
   /// The search begins behind one of the most urgent leaves, where it is longest until it meets another. On
-  /// its way every leaf is at least as urgent as those before.
+  /// its way each leaf is more urgent than those before, until there are only offers left for the most urgent
+  /// ones.
   void meet_worst_last() {
-    constexpr uint32_t kLevels = Urgencies<Profile>::kMost - Urgencies<Profile>::kWanted;
+    constexpr uint32_t kOffers = 7 * MostUrgent<Profile>::kLooks;
+    static_assert(Urgency::kWanted + kOffers < kLastOnes);
     const uint32_t count = forest_.leaf_count;
     uint32_t longest = 0;
     uint32_t since = 0;  // the last of the most urgent
     for (uint32_t i = 0; i < 2 * count; ++i, ++since) {
-      if (urgency(forest_.leaf[i % count].tet) != Urgencies<Profile>::kMost) continue;
+      if (urgency(forest_.leaf[i % count].tet) < kLastOnes) continue;
       if (since > longest)
         state_.urgencies.split_at = static_cast<uint16_t>((i + 2 * count + 1 - since) % count);
       if (since > longest) longest = since;
       since = 0;
     }
-    if (longest == 0) longest = count;
-    for (uint32_t i = 0; i < count; ++i) {
+    uint32_t offers = 0;
+    for (uint32_t i = 0; i < count && offers < kOffers; ++i) {
       uint8_t& of = urgency(forest_.leaf[(state_.urgencies.split_at + i) % count].tet);
-      const uint32_t level = i < longest ? i * kLevels / longest : kLevels - 1;
-      if (of == Urgencies<Profile>::kWanted) of = static_cast<uint8_t>(Urgencies<Profile>::kWanted + level);
+      if (of == Urgency::kWanted) of = static_cast<uint8_t>(Urgency::kWanted + offers++);
     }
   }
-  /// Half of the patches whose tethers end may be merged, as far as the budget goes; some others are calm.
-  void calm_merges() {
+  /// Half of the patches whose tethers end may be merged, as far as the budget goes. Returns how many.
+  uint32_t calm_ending() {
+    uint32_t merges = 0;
     uint32_t tets = 0;
     for (uint32_t i = ending_ / 2; i < ending_; ++i) {
       Patch patch{};
       const uint16_t child = forest_.child(state_.tethers.tether[i].tet, 0);
       if (find_merge(forest_, child, patch) != MeshStatus::kDone) continue;
       calm(patch);
-      if (tets + patch.count > Profile::kTetsMerged) continue;
+      if (merges == Profile::kPatches || tets + patch.count > Profile::kTetsMerged) continue;
       tets += patch.count;
+      ++merges;
     }
     room_ = Profile::kLeaves - forest_.leaf_count + tets;
+    if (room_ > Profile::kTetsSplit) room_ = Profile::kTetsSplit;
+    return merges;
+  }
+  /// Some that the tick may begin to draw.
+  void calm_others() {
     uint32_t others = 0;
     for (uint32_t i = 0; i < forest_.leaf_count && others < kLooks; ++i) {
       const Leaf& leaf = forest_.leaf[(state_.urgencies.merge_at + i) % forest_.leaf_count];
       Merge merge;
-      if (leaf.level == 0 || state_.tethers.holds(middle_node(leaf)) || urgency(leaf.tet) < 3) continue;
+      if (leaf.level == 0 || state_.tethers.holds(middle_node(leaf)) || urgency(leaf.tet) < Urgency::kWanted)
+        continue;
       if (find_merge(forest_, leaf.tet, merge.patch) != MeshStatus::kDone || merge.patch.count < 6) continue;
       calm(merge.patch);
       ++others;
@@ -133,55 +144,50 @@ class MeshWishes {
   }
   void calm(const Patch& patch) {
     for (uint32_t k = 0; k < patch.count; ++k) {
-      urgency(forest_.child(patch.tet[k], 0)) = Urgencies<Profile>::kCalm;
-      urgency(forest_.child(patch.tet[k], 1)) = Urgencies<Profile>::kCalm;
+      urgency(forest_.child(patch.tet[k], 0)) = Urgency::kCalm;
+      urgency(forest_.child(patch.tet[k], 1)) = Urgency::kCalm;
     }
   }
 
-  /// The longest descents that end at a bar, then the one to the largest patch that fits.
+  /// The longest descents that end at a bar, then those to the largest patches that fit. All share a total of
+  /// steps.
   void want_worst_patches() {
-    for (uint32_t look = 0; look + 1 < MostUrgent<Profile>::kLooks; ++look)
-      want_worst(look + 1 < kBarredLooks);
-    want_worst(false);
+    for (uint32_t look = 0; look < kFits; ++look) want_worst(false, kLastOnes, kPathSteps);
+    steps_ -= steps_ < kFails ? 0 : kFails;
+    for (uint32_t look = 0; look < kFails; ++look) want_worst(true, Urgency::kMost, steps_ + 1);
   }
-  static constexpr uint32_t kBarredLooks = MostUrgent<Profile>::kLooks - Profile::kPatches + 1;
-  void want_worst(bool is_to_fail) {
+  static constexpr uint32_t kFits = Profile::kPatches;
+  static constexpr uint32_t kFails = MostUrgent<Profile>::kLooks - kFits;
+  static constexpr uint8_t kLastOnes = Urgency::kMost - 1;  // as urgent as that or more
+  static constexpr uint32_t kPathSteps = Profile::kMaxLevel + 1u;
+
+  void want_worst(bool is_to_fail, uint8_t how_urgent, uint32_t most_steps) {
     uint32_t most = 0;
+    uint32_t steps = 0;
+    uint32_t count = 0;
     uint16_t worst = kNone;
     for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
       const Leaf& leaf = forest_.leaf[i];
-      if (urgency(leaf.tet) < Urgencies<Profile>::kWanted || urgency(leaf.tet) == Urgencies<Profile>::kMost)
-        continue;
-      if (is_tethered(refinement_edge(leaf))) continue;
+      if (urgency(leaf.tet) != Urgency::kWanted || is_tethered(refinement_edge(leaf))) continue;
       const Descent descent = descend(state_, leaf.tet);
       const bool fails = descent.status != MeshStatus::kDone || !descent.is_within_levels ||
                          is_tethered(refinement_edge(forest_.leaf_of(descent.patch.tet[0])));
-      if (fails != is_to_fail || (!fails && descent.patch.count > room_)) continue;
+      if (fails != is_to_fail || descent.steps > most_steps || (!fails && descent.patch.count > room_))
+        continue;
       const uint32_t cost = descent.looks + (is_to_fail ? 0 : 8 * descent.patch.count);
       if (cost <= most) continue;
       most = cost;
+      steps = descent.steps;
+      count = descent.patch.count;
       worst = leaf.tet;
     }
-    if (worst != kNone) urgency(worst) = Urgencies<Profile>::kMost;
+    if (worst == kNone) return;
+    urgency(worst) = how_urgent;
+    if (!is_to_fail) room_ -= count;
+    steps_ -= is_to_fail ? steps - 1 : steps;
   }
   [[nodiscard]] bool is_tethered(const EdgeEnds& ends) const {
     return state_.tethers.holds(ends[0]) || state_.tethers.holds(ends[1]);
-  }
-
-  /// Where the slice of leaves that are measured in a tick has most neighbours.
-  [[nodiscard]] uint16_t inmost_window() const {
-    constexpr uint32_t kSlice = Urgencies<Profile>::kSlice;
-    uint32_t best = 0;
-    uint32_t most = 0;
-    for (uint32_t first = 0; first + kSlice <= forest_.leaf_count; first += 4) {
-      uint32_t neighbours = 0;
-      for (uint32_t i = first; i < first + kSlice; ++i) {
-        for (const uint16_t neighbour : forest_.leaf[i].neighbour) neighbours += neighbour != kNone ? 1u : 0u;
-      }
-      if (neighbours > most) best = first;
-      if (neighbours > most) most = neighbours;
-    }
-    return static_cast<uint16_t>(best);
   }
 
   uint8_t& urgency(uint16_t tet) { return state_.urgencies.of[tet]; }
@@ -189,8 +195,9 @@ class MeshWishes {
   CoreState& state_;
   TheForest& forest_;
   Draw& draw_;
-  uint32_t ending_ = 0;  // tethers, the first ones
-  uint32_t room_ = 0;    // for leaves, after the merges
+  uint32_t ending_ = 0;                                                // tethers, the first ones
+  uint32_t room_ = 0;                                                  // for leaves, after the merges
+  uint32_t steps_ = MostUrgent<Profile>::kLooks + Profile::kMaxLevel;  // of all descents together
 };
 
 }  // namespace palpate::worst_case

@@ -9,6 +9,13 @@ namespace palpate::worst_case {
 
 using Profile = palpate::PALPATE_PROFILE;
 
+/// Which groups are split until all are in use.
+enum class Front : uint8_t {
+  kAny,
+  kFlat,    // the coarsest first, so that most have their sibling beside them
+  kUneven,  // the smallest first, so that a few have many leaves
+};
+
 /// What the tool does.
 enum class Tool : uint8_t {
   kAppears,  // beside a heap of leaves whose boxes hold it
@@ -29,7 +36,8 @@ struct Scene {
   bool is_heaped;        // nodes lie on a line beside the tool; else near their rest positions
   bool is_crowded;       // more leaves' boxes hold the tool than a tick examines
   uint16_t most_groups;  // the rotation front is split until there are so many
-  bool is_front_flat;    // its coarsest groups are split first, so that most have their sibling beside them
+  Front front;
+  bool blends;  // groups that a tick neither splits nor joins are on their way to another rotation
   Tool tool;
 };
 
@@ -61,8 +69,9 @@ inline Scene draw_scene(uint32_t seed) {
   scene.is_held = !draw.one_in(4);
   scene.is_heaped = true;
   scene.most_groups = Profile::kGroups;
-  scene.is_front_flat = draw.one_in(2);
-  scene.tool = draw.one_in(3) ? Tool::kPresses : Tool::kAppears;
+  scene.front = static_cast<Front>(draw.below(3));
+  scene.blends = !draw.one_in(4);
+  scene.tool = draw.one_in(4) ? Tool::kAppears : Tool::kPresses;
   return scene;
 }
 

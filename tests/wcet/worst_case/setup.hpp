@@ -27,6 +27,8 @@ class Setup {
     MeshWishes(state_, draw_).make();
     turn_groups();
     join_groups();
+    want_groups();
+    renew_where_most();
     place_tool();
     return status;
   }
@@ -88,59 +90,72 @@ class Setup {
     state_.model.held = {LatticeBox{{kLow, kLow, kLow}, below}, LatticeBox{above, {kHigh, kHigh, kHigh}}};
   }
 
-  /// On an upright plane beside the origin, so that the boxes of leaves that reach across hold it and no leaf
-  /// does.
+  /// On an upright plane: beside the origin, so that the boxes of leaves that reach across hold it and no
+  /// leaf does, or within the radius of a tool that presses.
   void heap_nodes() {
     for (uint32_t i = 0; i < forest_.nodes.used(); ++i) {
       const uint16_t node = node_at(i);
       const Position s = Position::from_raw(static_cast<int32_t>(draw_.below(1u << 28)));
-      forest_.node.position[node] =
-          Vector3<Position>(Position::ratio(1, 2) + s, -s, Position::from_raw(draw_.within(1 << 26)));
+      forest_.node.position[node] = Vector3<Position>(plane_at() + s, -s, height());
       for (int axis = 0; axis < 3; ++axis) {
         forest_.node.velocity[node][axis] = Velocity::from_raw(draw_.within(1 << 30));
       }
     }
     bring_leaves_across();
   }
+  [[nodiscard]] bool presses() const { return scene_.tool == Tool::kPresses; }
+  [[nodiscard]] Position plane_at() const {
+    return presses() ? Position::ratio(1, 256) : Position::ratio(1, 2);
+  }
+  [[nodiscard]] Position reach() const {
+    const Position radius = state_.model.contact.radius;
+    return presses() ? radius + radius : radius;
+  }
+  /// Above a tool that presses, faces are as near as their lowest node: halvings of the range, so that it can
+  /// be tightened often before few are left.
+  [[nodiscard]] Position height() {
+    constexpr uint32_t kHalvings = 24;
+    if (!presses()) return Position::from_raw(draw_.within(1 << 26));
+    const int32_t most = reach().raw() >> draw_.below(kHalvings);
+    return Position::from_raw(most / 2 +
+                              static_cast<int32_t>(draw_.below(static_cast<uint32_t>(most / 2) + 1)));
+  }
 
-  /// Leaves whose box holds the origin, and faces of the surface that are near it.
+  /// Leaves whose box holds the origin, and faces of the surface that a search there looks at.
   struct Near {
     uint32_t boxes = 0;
     uint32_t faces = 0;
   };
   [[nodiscard]] Near near_origin() {
     Near near;
-    const auto& x = forest_.node.position;
-    const Vector3<Position> origin = zero_vector<Position>();
     Sides<Profile>& sides = state_.candidates.sides;
-    sides.find(forest_, origin, Position::from_raw(0));
+    sides.find(forest_, zero_vector<Position>(), reach());
     for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
-      const Leaf& leaf = forest_.leaf[i];
-      near.boxes += sides.is_beyond(leaf) ? 0u : 1u;
-      for (uint32_t face = 0; face < 4; ++face) {
-        if (leaf.neighbour[face] != kNone) continue;
-        const FaceNodes corner = face_nodes(leaf, face);
-        const Position distance =
-            surface_detail::distance_to_box(x[corner[0]], x[corner[1]], x[corner[2]], origin);
-        near.faces += distance <= state_.model.contact.radius ? 1u : 0u;
-      }
+      for (uint32_t faces = sides.faces_in_reach(forest_.leaf[i]); faces != 0; faces &= faces - 1)
+        ++near.faces;
     }
+    if (presses()) return near;
+    sides.find(forest_, zero_vector<Position>(), Position::from_raw(0));
+    for (uint32_t i = 0; i < forest_.leaf_count; ++i)
+      near.boxes += sides.is_beyond(forest_.leaf[i]) ? 0u : 1u;
     return near;
   }
 
   /// Nodes go to the origin's other side, until as many leaves and faces are near it as a tick examines.
   void bring_leaves_across() {
     constexpr uint32_t kTries = 200;
+    constexpr uint32_t kLooks = Candidates<Profile>::kLooks;
+    constexpr uint32_t kMost = Candidates<Profile>::kMost;
     for (uint32_t tries = 0; tries < kTries; ++tries) {
       Vector3<Position>& x = forest_.node.position[node_at(draw_.below(forest_.nodes.used()))];
       const Vector3<Position> before = x;
-      x = Vector3<Position>(Position::ratio(-1, 2), Position::ratio(1, 1),
-                            Position::from_raw(draw_.within(1 << 26)));
+      const Position s = Position::from_raw(1 << 27);
+      x = Vector3<Position>(plane_at() - s - s, s + s, height());
       const Near near = near_origin();
-      const bool fits = scene_.tool == Tool::kPresses || ((scene_.is_crowded || near.boxes <= kMostBoxes) &&
-                                                          near.faces <= Candidates<Profile>::kMost);
+      const bool fits = presses() ? near.faces <= kLooks
+                                  : (scene_.is_crowded || near.boxes <= kMostBoxes) && near.faces <= kMost;
       if (!fits) x = before;
-      if (near.boxes == kMostBoxes && !scene_.is_crowded) break;
+      if (presses() ? near.faces == kLooks : near.boxes == kMostBoxes && !scene_.is_crowded) break;
     }
   }
 
@@ -155,7 +170,7 @@ class Setup {
     }
   }
 
-  /// Each worth splitting, as far as it can be, and not yet at its rotation.
+  /// Each worth splitting, as far as it can be, and on its way to its rotation or not yet.
   void turn_groups() {
     auto& groups = state_.groups;
     auto& front = state_.front;
@@ -164,7 +179,7 @@ class Setup {
       const auto entry = [this] { return RotationEntry::from_raw(draw_.within(1 << 29)); };
       groups.extracted[group] = normalised(Quaternion{RotationEntry::ratio(3, 4), entry(), entry(), entry()});
       groups.used[group] = Quaternion::identity();
-      groups.blend[group] = 0;
+      groups.blend[group] = static_cast<uint8_t>(scene_.blends ? 1 + draw_.below(kBlendTicks - 1) : 0);
       groups.misfit[group] = Misfit::from_raw(static_cast<int32_t>(draw_.next() >> (1 + draw_.below(8))));
       groups.misfit_left[group] = Misfit::from_raw(0);
     }
@@ -183,7 +198,47 @@ class Setup {
       front.partner[group] = other;
       front.partner[other] = group;
       state_.groups.misfit[group] = state_.groups.misfit[other] = Misfit::from_raw(0);
+      state_.groups.blend[group] = state_.groups.blend[other] = 0;
       ++pairs;
+    }
+  }
+
+  /// Those with most leaves are the worst: as many as a tick may split.
+  void want_groups() {
+    auto& front = state_.front;
+    for (uint32_t wanted = 0; wanted < Profile::kRotationChanges; ++wanted) {
+      uint16_t largest = kNone;
+      for (uint32_t i = 0; i < front.groups.used(); ++i) {
+        const uint16_t group = front.groups.live(i);
+        const bool is_free = front.partner[group] == kNone && state_.groups.misfit[group] != Misfit::max();
+        if (!is_free || forest_.tet[front.tet[group]].is_leaf) continue;
+        if (largest == kNone || front.leaves[group].count > front.leaves[largest].count) largest = group;
+      }
+      if (largest == kNone) return;
+      state_.groups.misfit[largest] = Misfit::max();
+      state_.groups.blend[largest] = 0;
+    }
+  }
+
+  /// The misfits go on where a tick has most to renew: leaves below their group's tet, and groups that end.
+  void renew_where_most() {
+    constexpr uint32_t kSlice = (Profile::kLeaves + kMisfitTicks - 1) / kMisfitTicks;
+    constexpr uint32_t kMostGroups = Profile::kGroups / kMisfitTicks + 1;
+    const auto& front = state_.front;
+    uint32_t most = 0;
+    for (uint32_t start = 0; start < front.groups.used(); ++start) {
+      uint32_t looked = 0;
+      uint32_t worth = 0;
+      for (uint32_t i = 0; i < kMostGroups && looked < kSlice; ++i, ++worth) {
+        const uint16_t group = front.groups.live((start + i) % front.groups.used());
+        const uint32_t rest = kSlice - looked;
+        const uint32_t count = front.leaves[group].count < rest ? front.leaves[group].count : rest;
+        looked += count;
+        if (!forest_.tet[front.tet[group]].is_leaf) worth += count;
+      }
+      if (worth <= most) continue;
+      most = worth;
+      state_.misfits.begin(static_cast<uint16_t>(start));
     }
   }
 
