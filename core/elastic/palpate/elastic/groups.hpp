@@ -94,12 +94,14 @@ void take_over_rotation(Groups<Profile>& groups, uint16_t group, uint16_t gone) 
 /// group.
 template <class Profile>
 void update_rotations(const RotationFront<Profile>& front, Groups<Profile>& groups) {
+  auto pairs = bounded_total<Profile::kGroups / 2>([] {});
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
     const uint16_t partner = front.partner[group];
     if (partner != kNone && is_second_of_pair(front, group)) continue;
-    const DeformationGradient f =
-        partner == kNone ? groups.gradient[group] : mean_gradient(groups, group, partner);
+    DeformationGradient f = groups.gradient[group];
+    for ([[maybe_unused]] const uint32_t pair : pairs.take(0, partner == kNone ? 0u : 1u))
+      f = mean_gradient(groups, group, partner);
     groups.extracted[group] = extract_rotation(f, groups.extracted[group]);
   }
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {

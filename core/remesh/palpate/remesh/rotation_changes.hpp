@@ -49,6 +49,7 @@ class RotationChanges {
   struct LeavesTotal {};
   struct BegunTotal {};
   struct EndedTotal {};
+  struct TriesTotal {};
 
   using Class = uint8_t;
   static constexpr Class kNotWanted = 255;
@@ -132,21 +133,26 @@ class RotationChanges {
     const auto room = static_cast<uint32_t>(Profile::kGroups - front_.groups.used());
     const uint32_t each = is_conforming() ? kMaxPatch : 1;  // at most so many are split for one that wants it
     const uint32_t lowest = classes.lowest_within((begun_.left() < room ? begun_.left() : room) / each);
-    (void)(split_classes(lowest + 1, kClasses) && split_classes(lowest, lowest + 1) &&
-           split_classes(0, lowest));
+    auto tries = bounded_total<Profile::kGroups>(TriesTotal{});  // each group is of one class
+    (void)(split_classes(lowest + 1, kClasses, tries) && split_classes(lowest, lowest + 1, tries) &&
+           split_classes(0, lowest, tries));
   }
 
   /// Those from `low` to below `end`. False when nothing more can be split in this tick.
-  bool split_classes(uint32_t low, uint32_t end) {
+  template <class Total>
+  bool split_classes(uint32_t low, uint32_t end, Total& tries) {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
       if (wanted_[group] < low || wanted_[group] >= end) continue;
-      if (!wants_split(group)) {
-        drop(group);  // its sibling was split: it has nothing left to differ from
-      } else if (!split_wanted(group)) {
-        return false;
-      }
+      bool goes_on = true;
+      for ([[maybe_unused]] const uint32_t once : tries.take(0, 1)) goes_on = split_if_wanted(group);
+      if (!goes_on) return false;
     }
+    return true;
+  }
+  bool split_if_wanted(uint16_t group) {
+    if (wants_split(group)) return split_wanted(group);
+    drop(group);  // its sibling was split: it has nothing left to differ from
     return true;
   }
 

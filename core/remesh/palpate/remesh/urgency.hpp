@@ -101,7 +101,7 @@ struct MostUrgent {
   void offer(uint16_t offered, uint8_t how_urgent) {
     count += count == kLooks ? 0u : 1u;
     uint32_t at = count - 1;
-    for ([[maybe_unused]] const uint32_t i : bounded<kLooks>(at, [] {})) {
+    for ([[maybe_unused]] const uint32_t i : bounded<kLooks - 1>(at, [] {})) {
       if (urgency[at - 1] >= how_urgent) break;
       tet[at] = tet[at - 1];
       urgency[at] = urgency[at - 1];

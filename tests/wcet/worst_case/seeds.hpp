@@ -1,0 +1,23 @@
+// The seeds whose scenes were the worst, of some thousand that a search ran for each profile:
+//
+//   board/mps2/run_in_qemu mps2-an386 build/m4/palpate_worst_case_Small.elf -append "search 1 1000"
+//
+// prints tick,<seed>,<tick>,<instructions>. A change of the core may make others worse.
+#pragma once
+
+#include "scene.hpp"
+
+namespace palpate::worst_case {
+
+template <class AProfile>
+inline constexpr std::array<uint32_t, 1> kWorstSeeds{1};
+template <>
+inline constexpr std::array<uint32_t, 3> kWorstSeeds<CuboidPaper>{27, 589, 32};
+template <>
+inline constexpr std::array<uint32_t, 3> kWorstSeeds<CuboidDense>{326, 480, 116};
+template <>
+inline constexpr std::array<uint32_t, 3> kWorstSeeds<Organ>{326, 116, 480};
+template <>
+inline constexpr std::array<uint32_t, 3> kWorstSeeds<Small>{380, 1254, 1184};
+
+}  // namespace palpate::worst_case
