@@ -166,7 +166,7 @@ std::vector<std::string> broken_gates(const Program& program, const Measurement&
   for (const auto& [from, to] : measurement.outside) {
     broken.push_back(fmt::format("{}: the graph has no edge to {:#x}", to_string(program.place(from)), to));
   }
-  for (const LoopFigures& loop : measurement.loops) {
+  for (const LoopSeen& loop : measurement.loops) {
     if (!loop.is_over()) continue;
     broken.push_back(fmt::format("{}: {} bodies more than its fact of {} allows in a call of {}",
                                  to_string(loop.body), loop.seen.most_excess, loop.bound, loop.function));

@@ -17,7 +17,7 @@ struct UncoveredBlock {
   size_t instructions;
 };
 
-struct LoopFigures {
+struct LoopSeen {
   uint32_t id;
   uint32_t bound;
   std::string function;  // whose calls the fact holds in
@@ -56,7 +56,7 @@ struct Measurement {
   size_t blocks = 0;
   std::vector<UncoveredBlock> uncovered;
   std::vector<Way> outside;  // of the graph; a lone instruction leads to itself
-  std::vector<LoopFigures> loops;
+  std::vector<LoopSeen> loops;
   std::vector<FunctionSeen> functions;
   std::vector<BlockSeen> gaps;  // blocks of which the bound has more, the largest gap first
 

@@ -62,7 +62,7 @@ void print_gaps(const Measurement& measurement) {
 void print_loops(const Measurement& measurement) {
   fmt::print("\n{:>8} {:>8} {:>10}  {}\n", "bound", "rounds", "entries",
              "loops that never came to their bound");
-  for (const LoopFigures& loop : measurement.loops) {
+  for (const LoopSeen& loop : measurement.loops) {
     if (loop.seen.most_rounds >= loop.bound) continue;
     fmt::print("{:>8} {:>8} {:>10}  {} {:#x} {}\n", loop.bound, loop.seen.most_rounds, loop.seen.entries,
                short_name(loop.function), loop.body.address, loop.body.line);
@@ -83,7 +83,7 @@ json place_json(const Place& place) {
 
 json loops_json(const Measurement& measurement) {
   json rows = json::array();
-  for (const LoopFigures& loop : measurement.loops) {
+  for (const LoopSeen& loop : measurement.loops) {
     rows.push_back({{"id", loop.id},
                     {"bound", loop.bound},
                     {"most_seen", loop.seen.most_rounds},

@@ -152,7 +152,7 @@ TEST(Counting, TotalsAcrossCalls) {
       "root", kBoundedLoops);
   const Measurement measurement = run.measurement();
   const auto total = std::find_if(measurement.loops.begin(), measurement.loops.end(),
-                                  [](const LoopFigures& loop) { return loop.bound == 20; });
+                                  [](const LoopSeen& loop) { return loop.bound == 20; });
   ASSERT_NE(total, measurement.loops.end());
   EXPECT_EQ(total->seen.entries, 3u);
   EXPECT_EQ(total->seen.bodies, 0u + 14 + 20);
