@@ -8,7 +8,8 @@ namespace palpate::worst_case {
 
 class MeshWishes {
  public:
-  MeshWishes(CoreState& state, Draw& draw) : state_(state), forest_(state.forest), draw_(draw) {}
+  MeshWishes(CoreState& state, const Scene& scene, Draw& draw)
+      : state_(state), forest_(state.forest), scene_(scene), draw_(draw) {}
 
   void make() {
     state_.tethers.clear();
@@ -18,7 +19,7 @@ class MeshWishes {
     want_all_leaves();
     add_ending_tethers();
     const uint32_t merges = calm_ending();
-    add_tethers(Profile::kTethers + merges - Profile::kPatches);
+    add_tethers(scene_.wishes_any ? Profile::kTethers : Profile::kTethers + merges - Profile::kPatches);
     calm_others();
     want_worst_patches();
     meet_worst_last();
@@ -137,7 +138,8 @@ class MeshWishes {
       Merge merge;
       if (leaf.level == 0 || state_.tethers.holds(middle_node(leaf)) || urgency(leaf.tet) < Urgency::kWanted)
         continue;
-      if (find_merge(forest_, leaf.tet, merge.patch) != MeshStatus::kDone || merge.patch.count < 6) continue;
+      if (find_merge(forest_, leaf.tet, merge.patch) != MeshStatus::kDone) continue;
+      if (scene_.wishes_any ? !is_below_front(merge.patch) : merge.patch.count < 6) continue;
       calm(merge.patch);
       ++others;
     }
@@ -170,9 +172,12 @@ class MeshWishes {
       const Leaf& leaf = forest_.leaf[i];
       if (urgency(leaf.tet) != Urgency::kWanted || is_tethered(refinement_edge(leaf))) continue;
       const Descent descent = descend(state_, leaf.tet);
-      const bool fails = descent.status != MeshStatus::kDone || !descent.is_within_levels ||
+      const bool waits = descent.status == MeshStatus::kDone && descent.is_within_levels &&
                          is_tethered(refinement_edge(forest_.leaf_of(descent.patch.tet[0])));
-      if (fails != is_to_fail || descent.steps > most_steps || (!fails && descent.patch.count > room_))
+      const bool fails = waits || descent.status != MeshStatus::kDone || !descent.is_within_levels;
+      if (scene_.wishes_any && fails && !waits && draw_.one_in(2)) continue;
+      if (fails != is_to_fail || (descent.steps > most_steps && !scene_.wishes_any) ||
+          (!fails && descent.patch.count > room_))
         continue;
       const uint32_t cost = descent.looks + (is_to_fail ? 0 : 8 * descent.patch.count);
       if (cost <= most) continue;
@@ -184,7 +189,8 @@ class MeshWishes {
     if (worst == kNone) return;
     urgency(worst) = how_urgent;
     if (!is_to_fail) room_ -= count;
-    steps_ -= is_to_fail ? steps - 1 : steps;
+    const uint32_t used = is_to_fail ? steps - 1 : steps;
+    steps_ -= used < steps_ ? used : steps_;
   }
   [[nodiscard]] bool is_tethered(const EdgeEnds& ends) const {
     return state_.tethers.holds(ends[0]) || state_.tethers.holds(ends[1]);
@@ -194,6 +200,7 @@ class MeshWishes {
 
   CoreState& state_;
   TheForest& forest_;
+  const Scene& scene_;
   Draw& draw_;
   uint32_t ending_ = 0;                                                // tethers, the first ones
   uint32_t room_ = 0;                                                  // for leaves, after the merges

@@ -39,6 +39,7 @@ struct Scene {
   Front front;
   bool blends;  // groups that a tick neither splits nor joins are on their way to another rotation
   Tool tool;
+  bool wishes_any;  // changes of the mesh for which steps, tethers or patches are missing
 };
 
 /// The roots of its cubes must find groups and leaves.

@@ -74,10 +74,12 @@ void run_scene(firmware::Run& run, uint32_t seed) {
 
 void run_wild(firmware::Run& run, uint32_t seed) {
   Scene scene = draw_scene(seed);
-  scene.grows = seed % 8 == 0;
+  scene.grows = seed % 4 == 0;
   scene.is_crowded = seed % 5 == 0;
+  scene.wishes_any = seed % 2 == 0;
   if (seed % 3 != 0) scene.most_groups = static_cast<uint16_t>(seed % Profile::kGroups);
   set_up(run, scene);
+  if (seed % 16 == 1 && !guard_device(run.state, safety::kPremium15Parameters)) firmware::give_up();
   Wild wild(run, seed);
   for (uint32_t tick = 1; tick <= kWildTicks; ++tick) {
     ++g_inputs.reading_number;

@@ -24,7 +24,7 @@ class Setup {
     hold_nodes();
     if (scene_.is_heaped) heap_nodes();
     follow_nodes();
-    MeshWishes(state_, draw_).make();
+    MeshWishes(state_, scene_, draw_).make();
     turn_groups();
     join_groups();
     want_groups();

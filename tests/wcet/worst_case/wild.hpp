@@ -95,8 +95,13 @@ class Wild {
     for (safety::WarmMotor& motor : safety.motors.motors) {
       motor.temperatures = {temperature(), temperature()};
       motor.is_warm = draw_.one_in(2);
+      motor.current_limit = safety::Ampere::from_raw(raw() & 0x7fff'ffff);
       motor.is_overheated = draw_.one_in(2);
     }
+    const auto done = safety::EventSet::of(safety::Event::kCalibrationDone, draw_.one_in(2));
+    firmware::leave(run_.requests, done);
+    firmware::leave(run_.findings,
+                    safety::ConditionSet::of(safety::Condition::kInvariantBroken, draw_.one_in(8)));
     safety.velocity = {vector<phantom::Metre>(), draw_.one_in(2)};
     for (auto& force : safety.force.last) force = vector<phantom::Newton>();
     if (draw_.one_in(2)) safety.parameters.ignored = safety::ConditionSet();
