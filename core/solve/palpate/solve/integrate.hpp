@@ -76,7 +76,8 @@ PALPATE_ALWAYS_INLINE Velocity next_velocity(Velocity v, Force f, Impulse impuls
 
 PALPATE_ALWAYS_INLINE Position moved(Position x, Velocity v, uint32_t& clamped) {
   constexpr int kShift = Velocity::kFractionBits - Position::kFractionBits;
-  const int32_t next = x.raw() + ((v.raw() + (1 << (kShift - 1))) >> kShift);
+  // Rounded behind the shift: the fastest node's velocity has no room for it before.
+  const int32_t next = x.raw() + (((v.raw() >> (kShift - 1)) + 1) >> 1);
   const int32_t within = within_bits<kPositionBits>(next);
   clamped |= static_cast<uint32_t>(next ^ within);
   return Position::from_raw(within);
