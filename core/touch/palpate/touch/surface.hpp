@@ -114,16 +114,16 @@ void offer(const FaceNodes& node, Position bound, Total& tightenings, Candidates
 /// are so many that not all can be looked at, as of an organ that is crumpled up, the range is below 0 in the
 /// end. O(nodes + leaves): 6 differences a node and a test of four neighbours a leaf; 9 comparisons for a
 /// face in range, and at most 8 times a pass over the candidates when they do not all fit.
-template <class Profile, uint32_t kTightenings = surface_detail::kTightenings,
-          uint32_t kLooks = Candidates<Profile>::kLooks>
+template <class Profile, uint32_t Tightenings = surface_detail::kTightenings,
+          uint32_t Looks = Candidates<Profile>::kLooks>
 void find_candidates(const Forest<Profile>& forest, const Vector3<Position>& centre, Position range,
                      Candidates<Profile>& found) {
   found.count = 0;
   found.range = range;
   found.sides.find(forest, centre, range);
   const auto& x = forest.node.position;
-  auto tightenings = bounded_total<kTightenings>([] {});
-  auto looks = bounded_total<kLooks>([] {});
+  auto tightenings = bounded_total<Tightenings>([] {});
+  auto looks = bounded_total<Looks>([] {});
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
     const Leaf& leaf = forest.leaf[i];
     uint32_t faces = found.sides.faces_in_reach(leaf);
