@@ -10,7 +10,7 @@ namespace {
 using Urgency = Urgencies<Bar>;
 using Wanted = MostUrgent<Bar>;
 
-const auto nobody = [](const Leaf&) { return 0u; };
+const auto kNobody = [](const Leaf&) { return 0u; };
 
 class MostUrgentLeaves : public testing::Test {
  protected:
@@ -29,7 +29,7 @@ TEST_F(MostUrgentLeaves, AreTheMostUrgentInOrder) {
   for (uint32_t i = 0; i < forest_->leaf_count; ++i) {
     urgency(i) = static_cast<uint8_t>(Urgency::kWanted + i * 37 % 100);
   }
-  const Waiting waiting = find_most_urgent(*forest_, *urgencies_, nobody, wanted_);
+  const Waiting waiting = find_most_urgent(*forest_, *urgencies_, kNobody, wanted_);
   EXPECT_EQ(waiting.all, forest_->leaf_count);
   EXPECT_EQ(waiting.blocked, 0u);
   ASSERT_EQ(wanted_.count, Wanted::kLooks);
@@ -57,7 +57,7 @@ TEST_F(MostUrgentLeaves, AreNeitherAsleepNorBlocked) {
 TEST_F(MostUrgentLeaves, TakeTurnsWhenTheyAreEquallyUrgent) {
   for (uint32_t i = 0; i < forest_->leaf_count; ++i) urgency(i) = Urgency::kWanted;
   urgencies_->split_at = 100;
-  (void)find_most_urgent(*forest_, *urgencies_, nobody, wanted_);
+  (void)find_most_urgent(*forest_, *urgencies_, kNobody, wanted_);
   for (uint32_t i = 0; i < Wanted::kLooks; ++i) EXPECT_EQ(wanted_.tet[i], forest_->leaf[100 + i].tet);
 }
 
@@ -65,7 +65,7 @@ TEST_F(MostUrgentLeaves, TakeTurnsWhenTheyAreEquallyUrgent) {
 /// those that it took.
 TEST_F(MostUrgentLeaves, AreFoundWithinTheBudgetOfOffers) {
   for (uint32_t i = 0; i < 120; ++i) urgency(i) = static_cast<uint8_t>(Urgency::kWanted + i);
-  const Waiting waiting = find_most_urgent(*forest_, *urgencies_, nobody, wanted_);
+  const Waiting waiting = find_most_urgent(*forest_, *urgencies_, kNobody, wanted_);
   EXPECT_EQ(waiting.all, 120u);
   EXPECT_EQ(wanted_.count, Wanted::kLooks);
   EXPECT_EQ(wanted_.urgency[0], Urgency::kWanted + 8 * Wanted::kLooks - 1);
