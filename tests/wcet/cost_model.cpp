@@ -1,10 +1,10 @@
 #include "cost_model.hpp"
 
-#include <toml++/toml.h>
 #include <filesystem>
 #include <map>
 
 #include "refusal.hpp"
+#include "toml_file.hpp"
 
 namespace palpate::wcet {
 namespace {
@@ -38,7 +38,7 @@ class ModelReader {
   explicit ModelReader(std::string path) : path_(std::move(path)) {}
 
   CostModel read() {
-    const toml::table file = parse();
+    const toml::table file = read_toml(path_, "is no cost model");
     CostModel model;
     model.name = file["name"].value_or(std::string());
     model.unit = file["unit"].value_or(std::string());
@@ -58,14 +58,6 @@ class ModelReader {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const { throw BadInput(path_ + " " + why); }
-
-  toml::table parse() const {
-    try {
-      return toml::parse_file(path_);
-    } catch (const toml::parse_error& error) {
-      refuse("is no cost model: " + std::string(error.description()));
-    }
-  }
 
   Cycles number(const toml::table* table, const std::string& key) const {
     const toml::node* node = table == nullptr ? nullptr : table->get(key);

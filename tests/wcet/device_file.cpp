@@ -1,10 +1,9 @@
 // The file of a board's devices.
-#include <toml++/toml.h>
-
 #include <algorithm>
 
 #include "devices.hpp"
 #include "refusal.hpp"
+#include "toml_file.hpp"
 
 namespace palpate::wcet {
 namespace {
@@ -14,7 +13,7 @@ class DeviceFile {
   explicit DeviceFile(std::string path) : path_(std::move(path)) {}
 
   Devices read() {
-    const toml::table file = parse();
+    const toml::table file = read_toml(path_, "has no device ranges");
     if (const toml::array* names = file["ports"].as_array()) {
       for (const toml::node& name : *names) devices_.ports.push_back(name.value_or(std::string()));
     }
@@ -26,14 +25,6 @@ class DeviceFile {
   }
 
  private:
-  toml::table parse() const {
-    try {
-      return toml::parse_file(path_);
-    } catch (const toml::parse_error& error) {
-      throw BadInput(path_ + " has no device ranges: " + std::string(error.description()));
-    }
-  }
-
   static std::vector<toml::table> rows_of(const toml::table& file, const char* key) {
     std::vector<toml::table> rows;
     const toml::array* list = file[key].as_array();

@@ -1,15 +1,10 @@
 // palpate-wcet: bounds the time and the stack of everything below a function of a linked target program.
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <fstream>
-
-#include "refusal.hpp"
+#include "command_line.hpp"
+#include "output/output_file.hpp"
 #include "report.hpp"
 
 namespace palpate::wcet {
 namespace {
-
-enum ExitCode { kFine = 0, kRefused = 1, kBadInput = 2, kEnvironment = 3 };
 
 struct Options {
   std::string elf;
@@ -57,12 +52,6 @@ std::vector<PoolUse> read_pools(const Options& options) {
   return list_pools(*object, kSmallPartBytes);
 }
 
-void write_json(const Findings& findings, const std::string& path) {
-  std::ofstream file(path);
-  file << to_json(findings).dump(1) << "\n";
-  if (!file) throw std::runtime_error("can't write " + path);
-}
-
 void analyse(const Options& options) {
   const CostModel model = make_model(options);
   const Program program(options.elf);
@@ -80,12 +69,7 @@ void analyse(const Options& options) {
                     read_pools(options)};
   if (options.stack) findings.stack = std::move(stack);
   print(findings);
-  if (!options.json.empty()) write_json(findings, options.json);
-}
-
-int fail(ExitCode code, const std::exception& error) {
-  std::fprintf(stderr, "palpate-wcet: %s\n", error.what());
-  return code;
+  if (!options.json.empty()) sim::write_whole_file(options.json, to_json(findings).dump(1) + "\n");
 }
 
 int run(int argc, char** argv) {
@@ -96,19 +80,10 @@ int run(int argc, char** argv) {
       "palpate-wcet");
   Options options;
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
+  return run_program(app, argc, argv, [&] {
     analyse(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kFine : kBadInput;
-  } catch (const Refusal& refusal) {
-    return fail(kRefused, refusal);
-  } catch (const BadInput& bad) {
-    return fail(kBadInput, bad);
-  } catch (const std::exception& error) {
-    return fail(kEnvironment, error);
-  }
-  return kFine;
+    return kFine;
+  });
 }
 
 }  // namespace

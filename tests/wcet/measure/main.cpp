@@ -1,18 +1,13 @@
 // palpate-measure: runs a target program in QEMU, counts what a root of it does, and holds that against the
 // root's bound, graph and flow facts.
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-
+#include "command_line.hpp"
 #include "counted_run.hpp"
 #include "measurement.hpp"
+#include "output/output_file.hpp"
 #include "planning.hpp"
 
 namespace palpate::wcet {
 namespace {
-
-enum ExitCode { kFine = 0, kFailed = 1, kBadInput = 2, kEnvironment = 3 };
 
 struct Options {
   std::string elf;
@@ -58,15 +53,6 @@ std::vector<std::string> broken_limits(const Options& options, const Measurement
   return broken;
 }
 
-void write_json(const Program& program, const Measurement& measurement, const std::string& path) {
-  const std::string partial = path + ".partial";
-  std::ofstream file(partial);
-  file << to_json(program, measurement).dump(1) << "\n";
-  file.close();
-  if (!file) throw std::runtime_error("can't write " + partial);
-  std::filesystem::rename(partial, path);
-}
-
 /// Whether all gates hold.
 bool measure(const Options& options) {
   const Program program(options.elf);
@@ -76,16 +62,12 @@ bool measure(const Options& options) {
   const Measurement measurement = measure(program, calls, bounds, counts);
   print(measurement);
   std::fflush(stdout);
-  if (!options.json.empty()) write_json(program, measurement, options.json);
+  if (!options.json.empty())
+    sim::write_whole_file(options.json, to_json(program, measurement).dump(1) + "\n");
   std::vector<std::string> broken = broken_gates(program, measurement);
   for (const std::string& limit : broken_limits(options, measurement)) broken.push_back(limit);
   for (const std::string& gate : broken) std::fprintf(stderr, "palpate-measure: %s\n", gate.c_str());
   return broken.empty();
-}
-
-int fail(ExitCode code, const std::exception& error) {
-  std::fprintf(stderr, "palpate-measure: %s\n", error.what());
-  return code;
 }
 
 int run(int argc, char** argv) {
@@ -99,18 +81,7 @@ int run(int argc, char** argv) {
   Options options;
   options.plugin = plugin_beside_program();
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
-    return measure(options) ? kFine : kFailed;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kFine : kBadInput;
-  } catch (const Refusal& refusal) {
-    return fail(kFailed, refusal);
-  } catch (const BadInput& bad) {
-    return fail(kBadInput, bad);
-  } catch (const std::exception& error) {
-    return fail(kEnvironment, error);
-  }
+  return run_program(app, argc, argv, [&] { return measure(options) ? kFine : kFailed; });
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "figure_file.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <regex>
 
 #include "refusal.hpp"
+#include "toml_file.hpp"
 
 namespace palpate::wcet::timing {
 namespace {
@@ -15,7 +15,7 @@ class FigureReader {
   explicit FigureReader(const std::string& path) : path_(path) {}
 
   FigureFile read() {
-    const toml::table file = parse();
+    const toml::table file = read_toml(path_, "has no figures");
     FigureFile figures;
     each(file, "profile", [&](const toml::table& row) { figures.rows.push_back(read_row(row)); });
     each(file, "board", [&](const toml::table& row) { figures.boards.push_back(read_board(row)); });
@@ -25,14 +25,6 @@ class FigureReader {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const { throw BadInput(path_ + " " + why); }
-
-  toml::table parse() const {
-    try {
-      return toml::parse_file(path_);
-    } catch (const toml::parse_error& error) {
-      refuse("has no figures: " + std::string(error.description()));
-    }
-  }
 
   template <class Use>
   static void each(const toml::table& file, const char* key, Use use) {

@@ -1,17 +1,13 @@
 // palpate-timing: the worst-case figures of all profiles, as tables, JSON and a page, and whether they hold.
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
-#include "refusal.hpp"
+#include "command_line.hpp"
+#include "output/output_file.hpp"
 #include "timing_report.hpp"
 
 namespace palpate::wcet::timing {
 namespace {
-
-enum ExitCode { kFine = 0, kFailed = 1, kBadInput = 2, kEnvironment = 3 };
 
 struct Options {
   std::string figures = PALPATE_SOURCE_FOLDER "/tests/wcet/figures.toml";
@@ -29,12 +25,6 @@ std::string read_text(const std::string& path) {
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
-}
-
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text << std::flush;
-  if (!file) throw std::runtime_error("can't write " + path.string());
 }
 
 struct Results {
@@ -83,9 +73,9 @@ ExitCode report(const Options& options) {
   const Results results = run_analyses(options);
   const std::filesystem::path out = options.out;
   std::filesystem::create_directories(out);
-  write_text(out / "timing.json", make_json(results.timings).dump(1) + "\n");
-  write_text(out / "timing.html", make_page(results.timings, results.findings));
-  write_text(out / "timing.md", make_markdown(results.timings));
+  sim::write_whole_file(out / "timing.json", make_json(results.timings).dump(1) + "\n");
+  sim::write_whole_file(out / "timing.html", make_page(results.timings, results.findings));
+  sim::write_whole_file(out / "timing.md", make_markdown(results.timings));
   std::printf("%s\n", make_tables(results.timings).c_str());
   return finish(results);
 }
@@ -113,8 +103,8 @@ ExitCode commit(const Options& options) {
   const std::string figures = with_committed(read_text(options.figures), rows);
   const std::string document =
       with_tables(read_text(options.document), make_markdown(results.timings), options.document);
-  write_text(options.figures, figures);
-  write_text(options.document, document);
+  sim::write_whole_file(options.figures, figures);
+  sim::write_whole_file(options.document, document);
   return finish(results);
 }
 
@@ -123,11 +113,6 @@ void add_options(CLI::App& command, Options& options) {
     command.add_option("--" + core, folder, "folder with the images for this core");
   command.add_option("--figures", options.figures, "the committed figures");
   command.add_option("--changelog", options.changelog, "where growth is said");
-}
-
-int fail(ExitCode code, const std::exception& error) {
-  std::fprintf(stderr, "palpate-timing: %s\n", error.what());
-  return code;
 }
 
 int run(int argc, char** argv) {
@@ -154,18 +139,7 @@ int run(int argc, char** argv) {
   add_options(*commit_command, options);
   commit_command->add_option("--document", options.document, "the document with their tables");
   commit_command->callback([&] { code = commit(options); });
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kFine : kBadInput;
-  } catch (const Refusal& refusal) {
-    return fail(kFailed, refusal);
-  } catch (const BadInput& bad) {
-    return fail(kBadInput, bad);
-  } catch (const std::exception& error) {
-    return fail(kEnvironment, error);
-  }
-  return code;
+  return run_program(app, argc, argv, [&] { return code; });
 }
 
 }  // namespace
