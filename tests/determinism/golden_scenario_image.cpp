@@ -8,9 +8,9 @@
 namespace palpate {
 namespace golden {
 
-// 144 leaves at start in Small, 288 in the others.
+// 144 leaves at start in Small, 288 in the others. Small has one substep, so its bar is heavier.
 constexpr Discretization kDiscretization = std::is_same_v<Profile, Small>
-                                               ? Discretization{3, 2, 4, 2, 20, Q<0, 31>::ratio(75, 128), 22}
+                                               ? Discretization{3, 2, 4, 1, 80, Q<0, 31>::ratio(75, 128), 22}
                                                : Discretization{4, 3, 6, 3, 20, Q<0, 31>::ratio(25, 48), 21};
 
 }  // namespace golden

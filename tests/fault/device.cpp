@@ -16,8 +16,8 @@ constexpr double kClearM = -0.003;
 sim::ModelParameters body_parameters() {
   sim::ModelParameters parameters;
   parameters.level = 3;
-  parameters.substeps = 2;
-  parameters.regions[0] = sim::RegionParameters{20e3, 0.49, 1000.0, 3, 4};
+  parameters.substeps = 1;
+  parameters.regions[0] = sim::RegionParameters{20e3, 0.49, 1200.0, 3, 4};
   parameters.grasp_reach_m = 0.02;
   parameters.contact.tool_radius_m = kToolRadiusM;
   parameters.contact.slew_n_per_tick = 0.02;

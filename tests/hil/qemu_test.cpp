@@ -29,6 +29,7 @@ Scenario touch_scenario() {
   Scenario scenario = built_in_scenario("touch");
   scenario.profile = g_profile;
   scenario.firmware = g_firmware;
+  if (g_profile == "small") scenario.model.level = 3;  // what its one substep a tick is enough for
   complete_scenario(scenario);
   fit_to_profile(scenario);
   return scenario;

@@ -28,6 +28,7 @@ Scenario soak_scenario() {
   for (RegionParameters& region : scenario.model.regions) {
     region.least_level = 2;
     region.most_level = 4;
+    region.density_kg_m3 = 1200.0;  // one substep a tick is stable there
   }
   complete_scenario(scenario);
   fit_to_profile(scenario);

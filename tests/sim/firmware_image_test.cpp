@@ -14,6 +14,7 @@ using firmware::kScenarioImage;
 Scenario small_grasp() {
   Scenario scenario = built_in_scenario("grasp");
   scenario.profile = "small";
+  scenario.model.regions[0].density_kg_m3 = 1000.0;
   scenario.model.contact.tool_radius_m = 0.004;
   scenario.scene.device_rotation_deg = {0.0, 0.0, 5.0};
   complete_scenario(scenario);

@@ -17,7 +17,7 @@ namespace palpate::test {
 inline firmware::CycleModel dragged_bar() {
   sim::ModelParameters parameters;
   parameters.level = 2;
-  parameters.substeps = 2;
+  parameters.substeps = 1;
   parameters.regions[0].density_kg_m3 = 1000.0;
   parameters.regions[0].least_level = 2;
   parameters.regions[0].most_level = 4;

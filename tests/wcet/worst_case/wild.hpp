@@ -64,7 +64,7 @@ class Wild {
     firmware::Scene& scene = run_.state.scene;
     scene = scene_;
     scene.newton_exponent =
-        static_cast<int8_t>(29 - static_cast<int32_t>(draw_.one_in(2) ? draw_.below(46) : draw_.below(3)));
+        static_cast<int8_t>(28 - static_cast<int32_t>(draw_.one_in(2) ? draw_.below(45) : draw_.below(2)));
     g_inputs.encoder_counts = {0, 0, 0};
     run_.state.counts_at_reset = {0, 0, 0};
     if (draw_.one_in(2)) return;

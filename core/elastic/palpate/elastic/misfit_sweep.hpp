@@ -80,9 +80,10 @@ void add_leaf(const Forest<Profile>& forest, const Leaf& leaf, const RotationMat
 template <class Profile>
 void renew_misfits(const Forest<Profile>& forest, const RotationFront<Profile>& front,
                    Groups<Profile>& groups, MisfitSweep& sweep) {
-  constexpr uint32_t kSlice = (Profile::kLeaves + kMisfitTicks - 1) / kMisfitTicks;
+  constexpr auto slice = [](uint32_t leaves) { return (leaves + kMisfitTicks - 1) / kMisfitTicks; };
   constexpr uint32_t kMostGroups = Profile::kGroups / kMisfitTicks + 1;
-  auto leaves = bounded_total<kSlice>([] {});
+  auto leaves = bounded_total<slice(Profile::kLeaves)>([] {});
+  uint32_t left = slice(forest.leaf_count);
   for ([[maybe_unused]] const uint32_t i : bounded<kMostGroups>(kMostGroups, [] {})) {
     if (sweep.group_at >= front.groups.used()) sweep.begin(0);
     const uint16_t group = front.groups.live(sweep.group_at);
@@ -91,7 +92,8 @@ void renew_misfits(const Forest<Profile>& forest, const RotationFront<Profile>& 
     const uint8_t level = forest.tet[front.tet[group]].level;
     const RotationMatrix r = rotation_matrix(groups.used[group]);
     const uint32_t rest = static_cast<uint32_t>(span.count) - sweep.leaf_at;
-    const uint32_t count = rest < leaves.left() ? rest : leaves.left();
+    const uint32_t count = rest < left ? rest : left;
+    left -= count;
     for (const uint32_t k : leaves.take(static_cast<uint32_t>(span.begin) + sweep.leaf_at, count)) {
       misfit_detail::add_leaf(forest, forest.leaf[front.leaf_order[k]], r, level, sweep.sums);
     }

@@ -162,10 +162,8 @@ constexpr Acc<F1> operator-(Acc<F1> a, Acc<F2>) {
   return a;
 }
 
-/// raw >> shift, rounded to nearest (ties up). 0 <= shift <= 62.
-constexpr int64_t shift_right_rounded(int64_t raw, int shift) {
-  return shift == 0 ? raw : ((raw >> (shift - 1)) + 1) >> 1;
-}
+/// raw >> shift, rounded to nearest (ties up). 1 <= shift <= 62.
+constexpr int64_t shift_right_rounded(int64_t raw, int shift) { return ((raw >> (shift - 1)) + 1) >> 1; }
 
 namespace narrow_detail {
 
@@ -195,7 +193,7 @@ constexpr To narrow(Acc<F> acc) {
   static_assert(kShift >= 0, "palpate: narrow only drops fraction bits; widen the factors instead");
   const auto low =
       static_cast<int32_t>(narrow_detail::rounded_down<kShift>(static_cast<uint64_t>(acc.raw())));
-  check(low == shift_right_rounded(acc.raw(), kShift), "narrow leaves 32 bits");
+  check(low == (kShift == 0 ? acc.raw() : shift_right_rounded(acc.raw(), kShift)), "narrow leaves 32 bits");
   return To::from_raw(low);
 }
 
@@ -204,7 +202,8 @@ template <class To, int F>
 constexpr To narrow_saturated(Acc<F> acc) {
   constexpr int kShift = F - To::kFractionBits;
   static_assert(kShift >= 0, "palpate: narrow only drops fraction bits; widen the factors instead");
-  const int64_t rounded = shift_right_rounded(acc.raw(), kShift);
+  int64_t rounded = acc.raw();
+  if constexpr (kShift > 0) rounded = shift_right_rounded(rounded, kShift);
   if (rounded > std::numeric_limits<int32_t>::max()) return To::max();
   if (rounded < std::numeric_limits<int32_t>::min()) return To::min();
   return To::from_raw(static_cast<int32_t>(rounded));

@@ -65,14 +65,14 @@ struct Organ {
   static constexpr bool kStudyCriteria = false;
 };
 
-/// For a Cortex-M4.
+/// For a Cortex-M4, and bodies as heavy as tissue.
 struct Small {
   static constexpr const char* kName = "small";
   static constexpr uint16_t kLeaves = 288;
   static constexpr uint16_t kNodes = 160;
   static constexpr uint16_t kGroups = 48;
   static constexpr uint8_t kMaxLevel = 6;
-  static constexpr uint32_t kSubsteps = 2;
+  static constexpr uint32_t kSubsteps = 1;
   static constexpr uint32_t kPatches = 1;
   static constexpr uint32_t kTetsSplit = 8;
   static constexpr uint32_t kTetsMerged = 8;

@@ -22,6 +22,23 @@ struct TrianglePoint {
 
 namespace triangle_detail {
 
+inline uint64_t size_of(int64_t x) { return static_cast<uint64_t>(x < 0 ? -x : x); }
+
+/// Brings numbers to one common scale, at which the largest of them has 30 bits and its sign. Rounded to
+/// nearest.
+class CommonScale {
+ public:
+  /// `all` sizes, by a bitwise or; below 2^63 and not 0.
+  explicit CommonScale(uint64_t all) : room_(leading_zeros_of_64(all) - 1) {}
+  [[nodiscard]] int32_t operator()(int64_t x) const {
+    const auto high = static_cast<int32_t>(static_cast<uint64_t>(x) << room_ >> 32);
+    return (high >> 1) + (high & 1);
+  }
+
+ private:
+  int room_;
+};
+
 /// Products of the vectors above with one common scale, 30 bits and a sign each.
 struct Products {
   int64_t e11, e12, e22, q1, q2;
@@ -30,12 +47,9 @@ struct Products {
 inline Products scaled(const Vector3<Position>& e1, const Vector3<Position>& e2, const Vector3<Position>& q) {
   const Products p{square_of(e1).raw(), dot(e1, e2).raw(), square_of(e2).raw(), dot(q, e1).raw(),
                    dot(q, e2).raw()};
-  const auto size = [](int64_t x) { return static_cast<uint64_t>(x < 0 ? -x : x); };
-  const uint64_t all = size(p.e11) | size(p.e12) | size(p.e22) | size(p.q1) | size(p.q2) | 1u;
-  const int used = 64 - leading_zeros_of_64(all);
-  const int shift = used > 30 ? used - 30 : 0;
-  const auto down = [shift](int64_t x) { return shift_right_rounded(x, shift); };
-  return Products{down(p.e11), down(p.e12), down(p.e22), down(p.q1), down(p.q2)};
+  const CommonScale scale(size_of(p.e11) | size_of(p.e12) | size_of(p.e22) | size_of(p.q1) | size_of(p.q2) |
+                          1u);
+  return Products{scale(p.e11), scale(p.e12), scale(p.e22), scale(p.q1), scale(p.q2)};
 }
 
 struct Feet {
@@ -93,15 +107,13 @@ inline Direction triangle_normal(const Vector3<Position>& a, const Vector3<Posit
   const std::array<int64_t, 3> cross = {(e1[1] * e2[2] - e1[2] * e2[1]).raw(),
                                         (e1[2] * e2[0] - e1[0] * e2[2]).raw(),
                                         (e1[0] * e2[1] - e1[1] * e2[0]).raw()};
-  const auto size = [](int64_t x) { return static_cast<uint64_t>(x < 0 ? -x : x); };
-  const uint64_t all = size(cross[0]) | size(cross[1]) | size(cross[2]);
+  const uint64_t all = triangle_detail::size_of(cross[0]) | triangle_detail::size_of(cross[1]) |
+                       triangle_detail::size_of(cross[2]);
   if (all == 0) return zero_vector<Fraction>();
-  const int used = 64 - leading_zeros_of_64(all);
-  const int shift = used > 30 ? used - 30 : 0;
-  const auto down = [&](std::size_t axis) {
-    return Position::from_raw(static_cast<int32_t>(shift_right_rounded(cross[axis], shift)));
-  };
-  return direction_of(Vector3<Position>(down(0), down(1), down(2)));
+  const triangle_detail::CommonScale scale(all);
+  return direction_of(Vector3<Position>(Position::from_raw(scale(cross[0])),
+                                        Position::from_raw(scale(cross[1])),
+                                        Position::from_raw(scale(cross[2]))));
 }
 
 }  // namespace palpate
