@@ -18,8 +18,8 @@ TEST(UniformMesh, OfTheBarHasThePapersCounts) {
     EXPECT_EQ(forest->nodes.used(), counts.nodes);
     EXPECT_EQ(check_forest(*forest, bar_block()), Violation::kNothing);
     for (uint32_t i = 0; i < forest->leaf_count; ++i) {
-      EXPECT_EQ(forest->leaf[i].level, counts.level);
-      EXPECT_EQ(type_of_level(forest->leaf[i].level), TetType::kType0);
+      EXPECT_EQ(forest->leaf[i].level(), counts.level);
+      EXPECT_EQ(type_of_level(forest->leaf[i].level()), TetType::kType0);
     }
   }
 }

@@ -150,11 +150,11 @@ class GroupForces {
   /// And their mean gradient.
   template <class Range>
   PALPATE_ALWAYS_INLINE void observe_leaves(uint16_t group, Range range, ClampFlag& clamped) {
-    const uint8_t group_level = forest_.tet[front_.tet[group]].level;
+    const uint8_t group_level = forest_.level_of(front_.tet[group]);
     for (const uint32_t i : bounded<9>(9, [] {})) frame_.gradient.data()[i] = Strain::from_raw(0);
     for (const uint32_t k : range) {
       const Leaf& leaf = forest_.leaf[front_.leaf_order[k]];
-      const auto depth = static_cast<uint32_t>(leaf.level - group_level);
+      const auto depth = static_cast<uint32_t>(leaf.level() - group_level);
       add_leaf(leaf, AddsGradient{depth, frame_.gradient}, clamped);
     }
     set_gradient(group);
@@ -166,7 +166,7 @@ class GroupForces {
   /// `see` is shown the leaf's LeafForce between its edge vectors and its forces.
   template <class See>
   PALPATE_ALWAYS_INLINE void add_leaf(const Leaf& leaf, See see, ClampFlag& clamped) {
-    switch (leaf.level) {
+    switch (leaf.level()) {
       case 0:
         return add_leaf_of<0>(leaf, see, clamped);
       case 1:
@@ -210,10 +210,10 @@ class GroupForces {
       auto& n1 = frame_.node[leaf.node[1]];
       auto& n2 = frame_.node[leaf.node[2]];
       auto& n3 = frame_.node[leaf.node[3]];
-      LeafForce<Level> force(leaf.axes);
+      LeafForce<Level> force(leaf.axes());
       force.gather(n0.position, n1.position, n2.position, n3.position, clamped);
       see(force);
-      force.scatter(materials_[leaf.region], n0.force, n1.force, n2.force, n3.force, clamped);
+      force.scatter(materials_[leaf.region()], n0.force, n1.force, n2.force, n3.force, clamped);
     }
   }
 

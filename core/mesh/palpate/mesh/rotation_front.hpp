@@ -44,7 +44,7 @@ template <class Profile>
 template <class Profile>
 [[nodiscard]] uint16_t ancestor_at(const Forest<Profile>& forest, uint16_t tet, uint8_t level) {
   for ([[maybe_unused]] const uint32_t step : bounded<Profile::kMaxLevel>(Profile::kMaxLevel, [] {})) {
-    if (forest.tet[tet].level <= level) break;
+    if (forest.level_of(tet) <= level) break;
     tet = forest.parent_of(tet);
   }
   return tet;
@@ -54,7 +54,7 @@ template <class Profile>
 template <class Profile>
 [[nodiscard]] uint16_t first_leaf(const Forest<Profile>& forest, uint16_t tet) {
   for ([[maybe_unused]] const uint32_t step : bounded<Profile::kMaxLevel>(Profile::kMaxLevel, [] {})) {
-    if (forest.tet[tet].is_leaf) break;
+    if (forest.tet[tet].is_leaf()) break;
     tet = forest.child(tet, 0);
   }
   return tet;
@@ -157,7 +157,7 @@ template <class Profile, class Total>
   front.nodes[added] = Span{0, 0};
   for (const uint32_t at : leaves.take(front.leaves[group].begin, front.leaves[group].count)) {
     Leaf& leaf = forest.leaf[front.leaf_order[at]];
-    if (child_towards(leaf, forest.tet[tet].level) == 1) leaf.group = added;
+    if (child_towards(leaf, forest.level_of(tet)) == 1) leaf.group = added;
   }
   return added;
 }

@@ -40,10 +40,14 @@ constexpr bool is_even_order(uint32_t first, uint32_t second) {
 /// Signed axes of g1, g2, g3 at rest: three bits each, axis in the low two and sign in the third.
 class Axes {
  public:
+  static constexpr uint32_t kBits = 9;
+  static constexpr uint32_t kMostCode = (1u << kBits) - 1u;
+
   Axes() = default;
   static constexpr Axes of(uint32_t axis1, uint32_t axis2, uint32_t axis3) {
     return Axes(axis1 | (axis2 << 3) | (axis3 << 6));
   }
+  static constexpr Axes of_code(uint32_t code) { return Axes(code); }
   [[nodiscard]] constexpr uint32_t axis(uint32_t k) const { return (code_ >> (3 * k)) & 3u; }
   [[nodiscard]] constexpr bool is_negative(uint32_t k) const { return ((code_ >> (3 * k + 2)) & 1u) != 0; }
   [[nodiscard]] constexpr uint16_t code() const { return code_; }
