@@ -48,8 +48,7 @@ TEST(RemeshRules, AGraspedNodeStaysAndThePatchAroundItIsTheFinest) {
   const TickInput open = tool_at(Eigen::Vector3d(0.5, 0.5, 0.0), false);
   settle(*state, open, 200, 3000);
   EXPECT_EQ(state->forest.leaf_count, 18u << 2);
-  EXPECT_FALSE(state->forest.nodes.is_live(handle))
-      << "at level 2 no edge of a cube has a node in its middle";
+  EXPECT_EQ(node_at(state->forest, point), kNone) << "at level 2 no edge of a cube has a node in its middle";
 }
 
 /// A bar whose nodes have been drawn for `wait` ticks, and one of them; kNone if there is none.

@@ -134,7 +134,8 @@ class ChangeWatch {
   }
 
   const State<Profile>& state_;
-  std::set<Pair> nodes_, partners_;
+  std::set<Place> nodes_;
+  std::set<Pair> partners_;
   RemeshCounters counters_{};
 };
 
