@@ -51,7 +51,9 @@ FrontViolation check_leaf_list(const Forest<Profile>& forest, const RotationFron
 template <class Profile>
 bool has_its_nodes(const Forest<Profile>& forest, const RotationFront<Profile>& front, uint16_t group) {
   const Span span = front.nodes[group];
-  if (uint32_t{span.begin} + span.count > RotationFront<Profile>::kGroupNodes) return false;
+  using Front = RotationFront<Profile>;
+  if (span.count > Front::kNodesOfGroup || uint32_t{span.begin} + span.count > Front::kGroupNodes)
+    return false;
   std::array<bool, Profile::kNodes> listed{};
   for (const uint32_t i : bounded<Profile::kNodes>(span.count < Profile::kNodes ? span.count : 0u, [] {})) {
     const uint16_t node = front.node_order[span.begin + i];

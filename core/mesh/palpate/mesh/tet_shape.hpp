@@ -22,6 +22,13 @@ constexpr TetType type_of_level(uint32_t level) {
   return static_cast<TetType>(level - 3u * size_of_level(level));
 }
 
+/// Nodes that the leaves of one root tet can have, down to level `deepest`: the points of a lattice with n
+/// steps to a cube edge that lie in a Kuhn tetrahedron.
+constexpr uint32_t most_nodes_of_root(uint32_t deepest) {
+  const uint32_t n = 1u << size_of_level(deepest + 2);
+  return (n + 1) * (n + 2) * (n + 3) / 6;
+}
+
 /// The refinement edge joins w0 and w[refinement_end]; in both children the midpoint takes place
 /// refinement_end.
 constexpr uint32_t refinement_end(TetType type) { return 3 - static_cast<uint32_t>(type); }
