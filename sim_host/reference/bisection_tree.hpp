@@ -45,9 +45,8 @@ class Builder {
   }
 
   BisectionTree build() {
-    for (uint32_t i = 0; i < forest_.pairs.used(); ++i) {
-      const uint16_t pair = forest_.pairs.live(i);
-      if (forest_.parent[pair] != kNone) continue;
+    for (uint32_t pair = 0; pair < Forest<Profile>::kPairs; ++pair) {
+      if (!forest_.pairs.is_live(pair) || forest_.pairs.parent(pair) != kNone) continue;
       for (uint32_t k = 0; k < 2; ++k) {
         tree_.roots.push_back(add(static_cast<uint16_t>(2 * pair + k), kNoTet));
       }
@@ -61,12 +60,12 @@ class Builder {
   uint32_t add(uint16_t t, uint32_t parent) {
     const auto id = static_cast<uint32_t>(tree_.tet.size());
     const auto first = static_cast<uint32_t>(tree_.mesh.tet.size());
-    tree_.tet.push_back(TreeTet{{}, {kNoTet, kNoTet}, parent, first, first, 0, forest_.tet[t].level, 0.0});
-    if (forest_.tet[t].is_leaf) {
+    tree_.tet.push_back(TreeTet{{}, {kNoTet, kNoTet}, parent, first, first, 0, forest_.level_of(t), 0.0});
+    if (forest_.tet[t].is_leaf()) {
       const Leaf& leaf = forest_.leaf_of(t);
       for (uint32_t i = 0; i < 4; ++i) tree_.tet[id].node[i] = place_[leaf.node[i]];
       tree_.mesh.tet.push_back(tree_.tet[id].node);
-      tree_.mesh.region.push_back(leaf.region);
+      tree_.mesh.region.push_back(leaf.region());
     } else {
       const uint32_t child0 = add(forest_.child(t, 0), id);
       const uint32_t child1 = add(forest_.child(t, 1), id);

@@ -25,7 +25,7 @@ Mesh mesh_of(const Forest<Profile>& forest, double edge_m) {
   for (uint32_t i = 0; i < forest.leaf_count; ++i) {
     const Leaf& leaf = forest.leaf[i];
     mesh.tet.push_back({place[leaf.node[0]], place[leaf.node[1]], place[leaf.node[2]], place[leaf.node[3]]});
-    mesh.region.push_back(leaf.region);
+    mesh.region.push_back(leaf.region());
   }
   return mesh;
 }

@@ -25,12 +25,12 @@ void read_strain(const State<Profile>& state, const Leaf& leaf, const ModelParam
                  BodyFields& fields) {
   const auto& position = state.forest.node.position;
   const EdgeVectors edges =
-      edge_vectors(type_of_level(leaf.level), position[leaf.node[0]], position[leaf.node[1]],
+      edge_vectors(type_of_level(leaf.level()), position[leaf.node[0]], position[leaf.node[1]],
                    position[leaf.node[2]], position[leaf.node[3]]);
   uint32_t clamped = 0;
-  const DeformationGradient f = deformation_gradient(edges, leaf.axes, leaf.level, clamped);
+  const DeformationGradient f = deformation_gradient(edges, leaf.axes(), leaf.level(), clamped);
   const Matrix3<Strain> a = corotated_gradient(rotation_matrix(state.groups.used[leaf.group]), f, clamped);
-  const Matrix3<Stress> sigma = corotated_stress(a, state.model.materials[leaf.region], clamped);
+  const Matrix3<Stress> sigma = corotated_stress(a, state.model.materials[leaf.region()], clamped);
   constexpr double kModuliInStressUnit = 6.0;
   fields.volume_ratio.push_back(to_doubles(f).determinant());
   fields.von_mises_pa.push_back(von_mises(to_doubles(sigma)) * kModuliInStressUnit *
@@ -57,8 +57,8 @@ BodyFields read_fields(const State<Profile>& state, const ModelParameters& model
     const auto& node = leaf.node;
     fields.tets.push_back(
         oriented({place[node[0]], place[node[1]], place[node[2]], place[node[3]]}, fields.rest_mm));
-    fields.level.push_back(leaf.level);
-    fields.region.push_back(leaf.region);
+    fields.level.push_back(leaf.level());
+    fields.region.push_back(leaf.region());
     fields.rotation_tet.push_back(leaf.group);
     read_strain(state, leaf, model, fields);
   }

@@ -71,7 +71,7 @@ class Storm {
     if (grasping) {
       ++deeds_.grasping;
       deeds_.grasps += grasped_ ? 0u : 1u;
-      const LatticePoint rest = state_->core.forest.node.rest[state_->core.grasp.node.index];
+      const LatticePoint rest = state_->core.forest.node.rest[state_->core.grasp.node];
       const bool in_bar = std::abs(now[0]) < kEdgeMm / 2 && std::abs(now[1]) < kEdgeMm / 2;
       if (in_bar && rest.x * now[0] + rest.y * now[1] < 0.0) ++deeds_.pushed_through;
     }

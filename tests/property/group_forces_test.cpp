@@ -24,15 +24,15 @@ std::vector<double> node_bounds(Body& body) {
   std::vector<double> bound(GroupsProfile::kNodes, 0.0);
   for (uint32_t i = 0; i < body.forest().leaf_count; ++i) {
     const Leaf& leaf = body.forest().leaf[i];
-    const Material& material = body.materials[leaf.region];
-    const double a_error = std::ldexp(2.0, size_of_level(leaf.level)) + 2.3;
+    const Material& material = body.materials[leaf.region()];
+    const double a_error = std::ldexp(2.0, size_of_level(leaf.level())) + 2.3;
     const double stress =
         (3.0 * sim::to_double(material.bulk) + 2.0 * sim::to_double(material.shear)) * a_error + 2.0;
-    const int shift = 2 * size_of_level(leaf.level) + static_cast<int>(type_of_level(leaf.level));
+    const int shift = 2 * size_of_level(leaf.level()) + static_cast<int>(type_of_level(leaf.level()));
     const double edge = std::ldexp(0.25 * (std::sqrt(3.0) * stress + 1.0), -shift) + 0.5;
     for (uint32_t k = 0; k < 4; ++k) {
       double parts = 0.0;
-      for (const auto& row : kEdgeCoefficients[static_cast<uint32_t>(type_of_level(leaf.level))])
+      for (const auto& row : kEdgeCoefficients[static_cast<uint32_t>(type_of_level(leaf.level()))])
         parts += std::abs(row[k]);
       bound[leaf.node[k]] += std::sqrt(3.0) * parts * edge;
     }
@@ -51,10 +51,10 @@ std::vector<Vector3<Force>> forces_one_by_one(Body& body, uint32_t& clamped) {
   for (uint32_t i = 0; i < body.forest().leaf_count; ++i) {
     const Leaf& leaf = body.forest().leaf[i];
     const auto& x = body.node().position;
-    const TetType type = type_of_level(leaf.level);
+    const TetType type = type_of_level(leaf.level());
     const EdgeForces t = corotated_edge_forces(
-        edge_vectors(type, x[leaf.node[0]], x[leaf.node[1]], x[leaf.node[2]], x[leaf.node[3]]), leaf.axes,
-        leaf.level, rotation_matrix(body.groups->used[leaf.group]), body.materials[leaf.region], clamped);
+        edge_vectors(type, x[leaf.node[0]], x[leaf.node[1]], x[leaf.node[2]], x[leaf.node[3]]), leaf.axes(),
+        leaf.level(), rotation_matrix(body.groups->used[leaf.group]), body.materials[leaf.region()], clamped);
     add_nodal_forces(type, t, f[leaf.node[0]], f[leaf.node[1]], f[leaf.node[2]], f[leaf.node[3]]);
   }
   return f;
@@ -104,7 +104,7 @@ TEST(GroupForces, AreThoseOfTheFormula) {
       const auto f =
           reference::forces_of(element, reference::deformation_gradient(element, x),
                                doubles(body.groups->used[leaf.group]).normalized().toRotationMatrix(),
-                               exactly(body.materials[leaf.region]));
+                               exactly(body.materials[leaf.region()]));
       for (uint32_t k = 0; k < 4; ++k) expected[element.node[k]] += f[k];
     }
     const std::vector<double> bound = node_bounds(body);

@@ -78,9 +78,9 @@ class Walk {
   void check_around(const std::set<uint16_t>& tets) {
     std::set<uint32_t> touched;
     for (const uint16_t tet : tets) {
-      touched.insert(forest_->tet[tet].link);
+      touched.insert(forest_->tet[tet].link());
       for (const uint16_t beyond : forest_->leaf_of(tet).neighbour) {
-        if (beyond != kNone) touched.insert(forest_->tet[beyond].link);
+        if (beyond != kNone) touched.insert(forest_->tet[beyond].link());
       }
     }
     for (const uint32_t index : touched) {
@@ -175,7 +175,7 @@ TEST(MeshChanges, ANewNodeIsTheMeanOfItsEdge) {
     ASSERT_EQ(find_ready_patch(*forest, forest->leaf[random.below(forest->leaf_count)].tet, patch),
               MeshStatus::kDone);
     const Leaf leaf = forest->leaf_of(patch.tet[0]);
-    const uint32_t end = refinement_end(type_of_level(leaf.level));
+    const uint32_t end = refinement_end(type_of_level(leaf.level()));
     ASSERT_EQ(bisect(*forest, patch), MeshStatus::kDone);
     const uint16_t middle = forest->leaf_of(forest->child(patch.tet[0], 0)).node[end];
     for (int axis = 0; axis < 3; ++axis) {

@@ -15,7 +15,7 @@ uint32_t descent_depth(const Forest<Deep>& forest, uint16_t wanted) {
   uint32_t depth = 0;
   uint16_t at = wanted;
   while (find_patch(forest, at, patch) == MeshStatus::kNotReady) {
-    EXPECT_LT(forest.tet[patch.blocker].level, forest.tet[at].level);
+    EXPECT_LT(forest.level_of(patch.blocker), forest.level_of(at));
     at = patch.blocker;
     ++depth;
   }
@@ -33,7 +33,7 @@ struct Cost {
 
 /// Bisects leaf `wanted` and books what it took under its level.
 bool request(Forest<Deep>& forest, uint16_t wanted, Cost& cost) {
-  const uint8_t level = forest.tet[wanted].level;
+  const uint8_t level = forest.level_of(wanted);
   cost.deepest[level] = std::max(cost.deepest[level], descent_depth(forest, wanted));
   uint32_t tets = 0;
   const uint32_t patches = bisect_with_closure(forest, wanted, &tets);
@@ -57,7 +57,7 @@ template <class IsWanted>
 void refine_where(Forest<Deep>& forest, uint8_t level, Cost& cost, IsWanted is_wanted) {
   for (uint32_t i = 0; i < forest.leaf_count;) {
     const Leaf& leaf = forest.leaf[i];
-    if (leaf.level < level && is_wanted(leaf)) {
+    if (leaf.level() < level && is_wanted(leaf)) {
       ASSERT_TRUE(request(forest, leaf.tet, cost));
       i = 0;
     } else {
@@ -111,9 +111,9 @@ TEST(MeshClosure, StaysBoundedAtRandom) {
       const Leaf* leaf = &forest->leaf[random.below(forest->leaf_count)];
       for (int best = 0; best < 6; ++best) {
         const Leaf* other = &forest->leaf[random.below(forest->leaf_count)];
-        if (other->level > leaf->level && other->level < 14) leaf = other;
+        if (other->level() > leaf->level() && other->level() < 14) leaf = other;
       }
-      if (leaf->level < 14) {
+      if (leaf->level() < 14) {
         ASSERT_TRUE(request(*forest, leaf->tet, cost));
       }
     }

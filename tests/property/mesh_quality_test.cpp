@@ -36,7 +36,7 @@ TEST(MeshQuality, OnlyThreeShapesOccur) {
   auto forest = roots_of<Deep>(notched_block());
   for (int i = 0; i < 2000; ++i) {
     const Leaf& leaf = forest->leaf[random.below(forest->leaf_count)];
-    if (leaf.level < 14) {
+    if (leaf.level() < 14) {
       ASSERT_NE(bisect_with_closure(*forest, leaf.tet), 0u);
     }
   }
@@ -47,7 +47,7 @@ TEST(MeshQuality, OnlyThreeShapesOccur) {
     const auto& tet = mesh.tet[i];
     const Quality quality =
         quality_of({mesh.rest[tet[0]], mesh.rest[tet[1]], mesh.rest[tet[2]], mesh.rest[tet[3]]});
-    const auto type = static_cast<uint32_t>(type_of_level(forest->leaf[i].level));
+    const auto type = static_cast<uint32_t>(type_of_level(forest->leaf[i].level()));
     ASSERT_NEAR(quality.aspect_ratio, kAspectRatio[type], 5e-4);
     ASSERT_NEAR(quality.radius_to_edge, kRadiusToEdge[type], 5e-4);
     worst_aspect = std::min(worst_aspect, quality.aspect_ratio);
@@ -63,7 +63,7 @@ TEST(MeshQuality, AtMost48TetsMeetAtANode) {
   auto forest = roots_of<Deep>(full_block(2, 2, 2));
   for (int i = 0; i < 3000; ++i) {
     const Leaf& leaf = forest->leaf[random.below(forest->leaf_count)];
-    if (leaf.level < 9) {
+    if (leaf.level() < 9) {
       ASSERT_NE(bisect_with_closure(*forest, leaf.tet), 0u);
     }
   }

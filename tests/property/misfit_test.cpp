@@ -52,13 +52,13 @@ std::vector<Seen> leaves_of(Body& body, uint16_t group, const reference::Mesh& m
                             const reference::Positions& x) {
   std::vector<Seen> seen;
   const Matrix3d r = doubles(rotation_matrix(body.groups->used[group]));
-  const uint8_t level = body.forest().tet[body.front().tet[group]].level;
+  const uint8_t level = body.forest().level_of(body.front().tet[group]);
   for (uint32_t k = 0; k < body.front().leaves[group].count; ++k) {
     const uint32_t index = body.front().leaf_order[body.front().leaves[group].begin + k];
     const reference::Element element = reference::element_of(mesh, index);
     const Leaf& leaf = body.forest().leaf[index];
-    seen.push_back({r.transpose() * reference::deformation_gradient(element, x), leaf.path,
-                    static_cast<uint32_t>(leaf.level - level)});
+    seen.push_back({r.transpose() * reference::deformation_gradient(element, x), leaf.path(),
+                    static_cast<uint32_t>(leaf.level() - level)});
   }
   return seen;
 }
@@ -77,7 +77,7 @@ TEST(Misfit, IsItsFormula) {
     const reference::Mesh mesh = reference::mesh_of(body.forest(), 1.0);
     const reference::Positions x = reference::positions_of(body.forest(), 1.0);
     body.for_groups([&](uint16_t g) {
-      const uint8_t level = body.forest().tet[body.front().tet[g]].level;
+      const uint8_t level = body.forest().level_of(body.front().tet[g]);
       const Exact exact = misfit_of(leaves_of(body, g, mesh, x), level);
       if (exact.misfit > 0.49) return;
       ++compared;
@@ -129,7 +129,7 @@ TEST(Misfit, OfASingleLeafIsZero) {
     deform_at_random(body, random, 1.0);
     (void)body.evaluate();
     body.for_groups([&](uint16_t g) {
-      if (!body.forest().tet[body.front().tet[g]].is_leaf) return;
+      if (!body.forest().tet[body.front().tet[g]].is_leaf()) return;
       ++leaves;
       EXPECT_EQ(body.groups->misfit[g].raw(), 0);
       EXPECT_EQ(body.groups->misfit_left[g].raw(), 0);

@@ -102,7 +102,7 @@ TEST(RemeshBudget, NoRequestStarvesBehindWorseOnes) {
   std::vector<uint16_t> early;
   for (uint32_t i = 0; i < state->forest.leaf_count; ++i) {
     const Leaf& leaf = state->forest.leaf[i];
-    if (leaf.region == 0 && leaf.level < 4 &&
+    if (leaf.region() == 0 && leaf.level() < 4 &&
         largest_edge_stretch(state->forest, leaf) > state->model.remesh.stretch.split_above) {
       early.push_back(leaf.tet);
     }
@@ -117,10 +117,10 @@ TEST(RemeshBudget, NoRequestStarvesBehindWorseOnes) {
     change_fronts(*state);
     ++ticks;
     left = 0;
-    for (const uint16_t tet : early) left += state->forest.tet[tet].is_leaf ? 1u : 0u;
+    for (const uint16_t tet : early) left += state->forest.tet[tet].is_leaf() ? 1u : 0u;
   }
   for (uint32_t i = 0; i < state->forest.leaf_count; ++i)
-    worse_done += state->forest.leaf[i].level > 4 ? 1u : 0u;
+    worse_done += state->forest.leaf[i].level() > 4 ? 1u : 0u;
   std::printf("%zu early requests done in %u ticks (bound %u), beside %u deeper leaves; %u wait\n",
               early.size(), ticks, bound, worse_done, unsigned{state->remesh.leaves_waiting});
   EXPECT_EQ(left, 0u);
@@ -154,7 +154,7 @@ TEST(RemeshBudget, EveryRequestIsDoneWhenNoNewOnesCome) {
   for (uint32_t i = 0; i < state->forest.leaf_count; ++i) {
     const Leaf& leaf = state->forest.leaf[i];
     const bool wants = largest_edge_stretch(state->forest, leaf) > state->model.remesh.stretch.split_above;
-    EXPECT_FALSE(wants && leaf.level < 5);
+    EXPECT_FALSE(wants && leaf.level() < 5);
   }
 }
 

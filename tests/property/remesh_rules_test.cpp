@@ -24,7 +24,7 @@ TickInput tool_at(const Eigen::Vector3d& at, bool close) {
 uint8_t coarsest_at(const Forest<Roomy>& forest, uint16_t node) {
   uint8_t coarsest = 255;
   for (uint32_t i = 0; i < forest.leaf_count; ++i) {
-    if (touches(forest.leaf[i], node)) coarsest = std::min(coarsest, forest.leaf[i].level);
+    if (touches(forest.leaf[i], node)) coarsest = std::min(coarsest, forest.leaf[i].level());
   }
   return coarsest;
 }
@@ -33,23 +33,22 @@ uint8_t coarsest_at(const Forest<Roomy>& forest, uint16_t node) {
 /// merged.
 TEST(RemeshRules, AGraspedNodeStaysAndThePatchAroundItIsTheFinest) {
   const auto state = started<Roomy>(compile_model(remeshing_bar()));
-  const uint16_t node = node_at(state->forest, LatticePoint{16, 16, 0});
+  const LatticePoint point{16, 16, 0};
+  const uint16_t node = node_at(state->forest, point);
   ASSERT_NE(node, kNone);
-  const Handle handle = state->forest.nodes.handle(node);
   const TickInput input = tool_at(Eigen::Vector3d(0.5, 0.5, 0.0), true);
   tick_once(*state, input);
-  ASSERT_EQ(state->grasp.node.index, node);
+  ASSERT_EQ(state->grasp.node, node);
   settle(*state, input, 200, 3000);
-  EXPECT_EQ(state->grasp.node.index, node);
-  EXPECT_TRUE(state->forest.nodes.is_live(handle));
+  EXPECT_EQ(state->grasp.node, node);
+  EXPECT_EQ(node_at(state->forest, point), node);
   EXPECT_EQ(coarsest_at(state->forest, node), 5);
   EXPECT_LT(state->forest.leaf_count, 500u) << "only around the node";
   expect_whole(*state);
   const TickInput open = tool_at(Eigen::Vector3d(0.5, 0.5, 0.0), false);
   settle(*state, open, 200, 3000);
   EXPECT_EQ(state->forest.leaf_count, 18u << 2);
-  EXPECT_FALSE(state->forest.nodes.is_live(handle))
-      << "at level 2 no edge of a cube has a node in its middle";
+  EXPECT_EQ(node_at(state->forest, point), kNone) << "at level 2 no edge of a cube has a node in its middle";
 }
 
 /// A bar whose nodes have been drawn for `wait` ticks, and one of them; kNone if there is none.
@@ -71,12 +70,12 @@ TEST(RemeshRules, ANodeThatIsGraspedWhileItIsDrawnStays) {
     const auto state = drawing(wait, drawn);
     if (drawn == kNone) continue;
     ++caught;
-    const Handle handle = state->forest.nodes.handle(drawn);
+    const LatticePoint point = state->forest.node.rest[drawn];
     const TickInput input = tool_at(doubles(state->forest.node.position[drawn]), true);
     for (int i = 0; i < 300; ++i) {
       tick_once(*state, input);
-      ASSERT_EQ(state->grasp.node.index, drawn);
-      ASSERT_TRUE(state->forest.nodes.is_live(handle));
+      ASSERT_EQ(state->grasp.node, drawn);
+      ASSERT_EQ(node_at(state->forest, point), drawn);
     }
     expect_whole(*state);
   }
@@ -98,7 +97,7 @@ TEST(RemeshRules, ATetherLetsGoOfAGraspedNode) {
     Eigen::Vector3d at = doubles(state->forest.node.position[drawn]);
     for (int i = 0; i < 100; ++i) {
       const Vector3<Force> reaction = tick_once(*state, tool_at(at, true)).reaction;
-      ASSERT_EQ(state->grasp.node.index, drawn);
+      ASSERT_EQ(state->grasp.node, drawn);
       ASSERT_EQ(reaction, tick_once(*without, tool_at(at, true)).reaction) << "tick " << i;
       at[0] += 0.1 * 1e-3 / 0.064;  // 0.1 m/s
     }
@@ -112,9 +111,10 @@ TEST(RemeshRules, AHeldNodeIsNotMergedAway) {
   const LatticePoint point{16, 16, 0};  // in the middle of an edge of length 1, which level 2 would restore
   model.held = {LatticeBox{point, point}, LatticeBox{{1, 1, 1}, {0, 0, 0}}};
   const auto state = started<Roomy>(model);
-  const Handle handle = state->forest.nodes.handle(node_at(state->forest, point));
+  const uint16_t node = node_at(state->forest, point);
+  ASSERT_NE(node, kNone);
   settle(*state, input_at_rest(), 200, 3000);
-  EXPECT_TRUE(state->forest.nodes.is_live(handle));
+  EXPECT_EQ(node_at(state->forest, point), node);
   EXPECT_LT(state->forest.leaf_count, 18u << 3);
   EXPECT_GT(state->forest.leaf_count, 18u << 2);
   expect_whole(*state);
@@ -188,7 +188,7 @@ TEST(RemeshRules, ANodeIsDrawnOnlyFromACalmEdge) {
       const Tether& tether = state->tethers.tether[k];
       if (tether.kind != TetherKind::kDraw || tether.ticks_left != kTetherTicks) continue;
       ++drawn;
-      const uint8_t level = state->forest.tet[tether.tet].level;
+      const uint8_t level = state->forest.level_of(tether.tet);
       ASSERT_LE(refinement_edge_stretch(nodes, tether.end, level), rules.merge_below);
     }
   }
@@ -210,8 +210,8 @@ TEST(RemeshRules, EveryLeafStaysWithinTheLevelsOfItsRegion) {
     tick_once(*state, pulled(0.5 * part, 0.8 * part, 0.4 * part));
     for (uint32_t k = 0; k < state->forest.leaf_count; ++k) {
       const Leaf& leaf = state->forest.leaf[k];
-      coarsest[leaf.region] = std::min(coarsest[leaf.region], leaf.level);
-      finest[leaf.region] = std::max(finest[leaf.region], leaf.level);
+      coarsest[leaf.region()] = std::min(coarsest[leaf.region()], leaf.level());
+      finest[leaf.region()] = std::max(finest[leaf.region()], leaf.level());
     }
   }
   std::printf("levels %u to %u and %u to %u\n", unsigned{coarsest[0]}, unsigned{finest[0]},

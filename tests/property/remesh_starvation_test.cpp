@@ -27,7 +27,7 @@ bool could_split(const State<Profile>& state) {
     bool may = true;
     for (uint32_t k = 0; k < patch.count; ++k) {
       const Leaf& leaf = forest.leaf_of(patch.tet[k]);
-      may = may && leaf.level < state.model.remesh.stretch.levels[leaf.region].most;
+      may = may && leaf.level() < state.model.remesh.stretch.levels[leaf.region()].most;
     }
     const Leaf& leaf = forest.leaf_of(patch.tet[0]);
     const EdgeEnds ends = refinement_edge(leaf);

@@ -182,7 +182,7 @@ TEST(RotationChanges, FullCorotationFollowsTheMesh) {
       settle(*state, pulled(0.3, 0.4), 200, 3000);
       for (uint32_t k = 0; k < state->front.groups.used(); ++k) {
         const uint16_t group = state->front.groups.live(k);
-        if (state->forest.tet[state->front.tet[group]].is_leaf) continue;
+        if (state->forest.tet[state->front.tet[group]].is_leaf()) continue;
         ASSERT_EQ(state->front.leaves[group].count, 2);
         for (const uint32_t which : {0u, 1u}) {
           EXPECT_EQ(state->urgencies.of[state->forest.child(state->front.tet[group], which)],
@@ -211,7 +211,7 @@ TEST(RotationChanges, FullCorotationSplitsGroupsOfABodyAtRest) {
   EXPECT_GT(state->remesh.bisected, 20u);
   for (uint32_t i = 0; i < state->forest.leaf_count; ++i) {
     const Leaf& leaf = state->forest.leaf[i];
-    if (leaf.level > 3) {
+    if (leaf.level() > 3) {
       EXPECT_EQ(state->front.tet[leaf.group], leaf.tet);
     }
   }

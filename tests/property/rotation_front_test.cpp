@@ -21,13 +21,13 @@ void expect_paths(const Forest<Profile>& forest) {
   for (uint32_t i = 0; i < forest.leaf_count; ++i) {
     const Leaf& leaf = forest.leaf[i];
     uint16_t tet = leaf.tet;
-    for (uint8_t level = leaf.level; level > 0; --level) {
+    for (uint8_t level = leaf.level(); level > 0; --level) {
       ASSERT_EQ(child_towards(leaf, static_cast<uint8_t>(level - 1)), tet & 1u);
       tet = forest.parent_of(tet);
       ASSERT_EQ(ancestor_at(forest, leaf.tet, static_cast<uint8_t>(level - 1)), tet);
     }
     ASSERT_EQ(forest.parent_of(tet), kNone);
-    ASSERT_EQ(leaf.path >> leaf.level, 0);
+    ASSERT_EQ(leaf.path() >> leaf.level(), 0);
   }
 }
 
@@ -148,8 +148,9 @@ TEST(RotationFront, IsMadeOfTheTetsAtALevelAndOfLeavesAboveIt) {
     ASSERT_TRUE(make_groups(*mesh.forest, *mesh.front, level));
     ASSERT_EQ(check_front(*mesh.forest, *mesh.front), FrontViolation::kNothing);
     for (uint32_t i = 0; i < mesh.front->groups.used(); ++i) {
-      const Tet& tet = mesh.forest->tet[mesh.front->tet[mesh.front->groups.live(i)]];
-      ASSERT_TRUE(tet.level == level || (tet.level < level && tet.is_leaf));
+      const uint16_t tet = mesh.front->tet[mesh.front->groups.live(i)];
+      const uint8_t own = mesh.forest->level_of(tet);
+      ASSERT_TRUE(own == level || (own < level && mesh.forest->tet[tet].is_leaf()));
     }
   }
   EXPECT_EQ(mesh.front->groups.used(), mesh.forest->leaf_count);
@@ -187,7 +188,7 @@ class EdgeMap {
     const Edge edge{level, std::min(w[0], w[end]), std::max(w[0], w[end])};
     edge_[tet] = edge;
     around_[edge].insert(tet);
-    if (forest_.tet[tet].is_leaf) return;
+    if (forest_.tet[tet].is_leaf()) return;
     const auto [x0, y0, z0] = w[0];
     const auto [x1, y1, z1] = w[end];
     const Point middle((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2);
@@ -216,15 +217,14 @@ TEST(FrontPatch, IsAllTetsAroundTheEdgeOrNamesACoarserGroup) {
     change_often(*mesh.forest, *mesh.front, 100, random);
     const EdgeMap edges(*mesh.forest, *roots_of<FrontProfile>(block));
     for (uint16_t tet = 0; tet < Forest<FrontProfile>::kTets; ++tet) {
-      if (!mesh.forest->pairs.is_live(static_cast<uint16_t>(tet >> 1)) || mesh.forest->tet[tet].is_leaf)
-        continue;
+      if (!mesh.forest->pairs.is_live(tet >> 1) || mesh.forest->tet[tet].is_leaf()) continue;
       std::set<uint16_t> expected;
       std::set<uint16_t> coarser;
       for (const uint16_t other : edges.around_edge_of(tet)) {
         const uint16_t group = mesh.forest->leaf_of(first_leaf(*mesh.forest, other)).group;
-        const uint8_t level = mesh.forest->tet[mesh.front->tet[group]].level;
-        (level < mesh.forest->tet[tet].level ? coarser : expected)
-            .insert(level < mesh.forest->tet[tet].level ? group : other);
+        const uint8_t level = mesh.forest->level_of(mesh.front->tet[group]);
+        (level < mesh.forest->level_of(tet) ? coarser : expected)
+            .insert(level < mesh.forest->level_of(tet) ? group : other);
       }
       FrontPatch patch{};
       const MeshStatus status = find_front_patch(*mesh.forest, *mesh.front, tet, patch);

@@ -23,7 +23,7 @@ double elastic_energy(Body& body) {
     const Matrix3d r = doubles(rotation_matrix(body.groups->used[leaf.group]));
     const Matrix3d a = r.transpose() * reference::deformation_gradient(element, x);
     const Matrix3d e = 0.5 * (a + a.transpose()) - Matrix3d::Identity();
-    const reference::Material material = exactly(body.materials[leaf.region]);
+    const reference::Material material = exactly(body.materials[leaf.region()]);
     energy +=
         element.volume * (material.mu * e.squaredNorm() + 0.5 * material.lambda * e.trace() * e.trace());
   }

@@ -119,7 +119,7 @@ Content content_of(const Forest<Profile>& forest) {
   Content content;
   for (uint32_t i = 0; i < forest.leaf_count; ++i) {
     const Leaf& leaf = forest.leaf[i];
-    Content::LeafContent part{{}, leaf.axes.code(), leaf.level, leaf.region};
+    Content::LeafContent part{{}, leaf.axes().code(), leaf.level(), leaf.region()};
     for (uint32_t face = 0; face < 4; ++face) {
       if (leaf.neighbour[face] == kNone) continue;
       part.neighbour[face] = corners_of(forest, forest.leaf_of(leaf.neighbour[face]));
@@ -140,7 +140,7 @@ uint32_t merge_all(Forest<Profile>& forest) {
   for (uint8_t level = Profile::kMaxLevel; level > 0; --level) {
     for (uint32_t i = 0; i < forest.leaf_count;) {
       Patch patch{};
-      if (forest.leaf[i].level != level ||
+      if (forest.leaf[i].level() != level ||
           find_merge(forest, forest.leaf[i].tet, patch) != MeshStatus::kDone) {
         ++i;
         continue;
@@ -157,7 +157,7 @@ uint32_t merge_all(Forest<Profile>& forest) {
 template <class Profile>
 uint32_t bisect_with_closure(Forest<Profile>& forest, uint16_t wanted, uint32_t* tets = nullptr) {
   uint32_t patches = 0;
-  while (forest.tet[wanted].is_leaf) {
+  while (forest.tet[wanted].is_leaf()) {
     Patch patch{};
     if (find_ready_patch(forest, wanted, patch) != MeshStatus::kDone) return 0;
     if (bisect(forest, patch) != MeshStatus::kDone) return 0;

@@ -28,7 +28,7 @@ MeshWithFront<Profile> mesh_with_front(const Block& block, uint8_t leaf_level, u
 /// Splits this group and indexes again. The added group, or kNone.
 template <class Profile>
 uint16_t split_and_index(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_t group) {
-  if (forest.tet[front.tet[group]].is_leaf) return kNone;
+  if (forest.tet[front.tet[group]].is_leaf()) return kNone;
   auto leaves = bounded_total<Profile::kLeaves>([] {});
   const uint16_t added = split_group(forest, front, group, leaves);
   if (added != kNone) index_groups(forest, front);

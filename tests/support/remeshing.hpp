@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "palpate/mesh/front_patch.hpp"
 #include "support/bodies.hpp"
@@ -105,12 +106,14 @@ class ChangeWatch {
 
  private:
   using Pair = std::pair<uint16_t, uint16_t>;
+  using Place = std::tuple<int, int, int>;
 
-  std::set<Pair> live_nodes() const {
-    std::set<Pair> nodes;
+  /// By their places at rest: a slot may be used again.
+  std::set<Place> live_nodes() const {
+    std::set<Place> nodes;
     for (uint32_t i = 0; i < state_.forest.nodes.used(); ++i) {
-      const Handle handle = state_.forest.nodes.handle(state_.forest.nodes.live(i));
-      nodes.emplace(handle.index, handle.generation);
+      const LatticePoint rest = state_.forest.node.rest[state_.forest.nodes.live(i)];
+      nodes.emplace(rest.x, rest.y, rest.z);
     }
     return nodes;
   }
@@ -131,7 +134,8 @@ class ChangeWatch {
   }
 
   const State<Profile>& state_;
-  std::set<Pair> nodes_, partners_;
+  std::set<Place> nodes_;
+  std::set<Pair> partners_;
   RemeshCounters counters_{};
 };
 

@@ -35,8 +35,8 @@ inline std::vector<Shape> all_shapes(uint8_t deepest) {
     if (refine_uniformly(*forest, level) != MeshStatus::kDone) return {};
     for (uint32_t i = 0; i < forest->leaf_count; ++i) {
       const Leaf& leaf = forest->leaf[i];
-      if (!seen.emplace(leaf.level, leaf.axes.code()).second) continue;
-      Shape shape{leaf.level, leaf.axes, {}};
+      if (!seen.emplace(leaf.level(), leaf.axes().code()).second) continue;
+      Shape shape{leaf.level(), leaf.axes(), {}};
       for (uint32_t k = 0; k < 4; ++k) shape.corner[k] = forest->node.rest[leaf.node[k]];
       shapes.push_back(shape);
     }

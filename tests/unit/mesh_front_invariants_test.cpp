@@ -35,7 +35,7 @@ class FrontInvariants : public testing::Test {
   [[nodiscard]] uint16_t any_group(bool is_leaf) const {
     for (uint32_t i = 0; i < whole_.front->groups.used(); ++i) {
       const uint16_t group = whole_.front->groups.live(i);
-      if (whole_.forest->tet[whole_.front->tet[group]].is_leaf == is_leaf) return group;
+      if (whole_.forest->tet[whole_.front->tet[group]].is_leaf() == is_leaf) return group;
     }
     return kNone;
   }
@@ -62,7 +62,9 @@ TEST_F(FrontInvariants, FindATetThatIsNotInUse) {
   const uint16_t group = any_group(false);
   EXPECT_EQ(after([=](TestForest&, TestFront& f) { f.tet[group] = kNone; }), FrontViolation::kTet);
   EXPECT_EQ(after([=](TestForest& m, TestFront& f) {
-              f.tet[group] = static_cast<uint16_t>(2u * m.pairs.live(m.pairs.used()));
+              uint32_t free = 0;
+              while (m.pairs.is_live(free)) ++free;
+              f.tet[group] = static_cast<uint16_t>(2u * free);
             }),
             FrontViolation::kTet);
 }

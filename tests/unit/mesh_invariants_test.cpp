@@ -73,7 +73,11 @@ TEST_F(Invariants, FindAWrongShape) {
   EXPECT_EQ(after([](TestForest& f) { f.node.rest[f.leaf[0].node[2]].z += 2; }), Violation::kWrongShape);
   EXPECT_EQ(after([](TestForest& f) { std::swap(f.leaf[0].node[0], f.leaf[0].node[1]); }),
             Violation::kWrongShape);
-  EXPECT_EQ(after([](TestForest& f) { f.leaf[0].axes = Axes::of(1, 0, 2); }), Violation::kWrongShape);
+  EXPECT_EQ(after([](TestForest& f) {
+              const LeafKind kind = f.leaf[0].kind;
+              f.leaf[0].kind = LeafKind(kind.path(), Axes::of(1, 0, 2), kind.region(), kind.level());
+            }),
+            Violation::kWrongShape);
 }
 
 TEST_F(Invariants, FindABrokenTree) {
@@ -82,15 +86,23 @@ TEST_F(Invariants, FindABrokenTree) {
   const Violation expected = Violation::kTreeLink;
   EXPECT_EQ(of_leaf_after(2, [](TestForest& f) { f.leaf[2].tet = kNone; }), expected);
   EXPECT_EQ(of_leaf_after(2, [](TestForest& f) { f.leaf[2].tet ^= 1u; }), expected);
-  EXPECT_EQ(of_leaf_after(2, [](TestForest& f) { f.leaf[2].level += 3; }), expected);
-  EXPECT_EQ(after([=](TestForest& f) { f.tet[child].level += 3; }), expected);
-  EXPECT_EQ(after([=](TestForest& f) { f.tet[child].is_leaf = false; }), expected);
-  EXPECT_EQ(after([=](TestForest& f) { f.tet[child].link += 1; }), expected);
-  EXPECT_EQ(after([=](TestForest& f) { f.parent[child >> 1] = kNone; }), expected);
-  EXPECT_EQ(after([=](TestForest& f) { f.parent[child >> 1] ^= 1u; }), expected);
-  EXPECT_EQ(after([=](TestForest& f) { f.tet[parent].link += 1; }), expected);
-  EXPECT_EQ(after([=](TestForest& f) { f.tet[parent].level += 1; }), expected);
-  EXPECT_EQ(after([=](TestForest& f) { f.tet[parent].is_leaf = true; }), expected);
+  EXPECT_EQ(of_leaf_after(2,
+                          [](TestForest& f) {
+                            const LeafKind kind = f.leaf[2].kind;
+                            f.leaf[2].kind =
+                                LeafKind(kind.path(), kind.axes(), kind.region(), kind.level() + 3u);
+                          }),
+            expected);
+  const uint16_t child_link = whole_->tet[child].link();
+  const uint16_t parent_link = whole_->tet[parent].link();
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[child] = Tet::internal(child_link); }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[child] = Tet::leaf(child_link + 1u); }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[parent] = Tet::internal(parent_link + 1u); }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { f.tet[parent] = Tet::leaf(parent_link); }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { PoolCorruptor::parent(f.pairs, child >> 1) = kNone; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { PoolCorruptor::parent(f.pairs, child >> 1) ^= 1u; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { PoolCorruptor::level(f.pairs, child >> 1) += 3; }), expected);
+  EXPECT_EQ(after([=](TestForest& f) { PoolCorruptor::level(f.pairs, parent >> 1) += 1; }), expected);
   EXPECT_EQ(after([=](TestForest& f) { f.pairs.release(static_cast<uint16_t>(child >> 1)); }), expected);
 }
 
@@ -138,7 +150,7 @@ TEST_F(Invariants, FindAMissingVolume) {
   auto copy = copy_of(*whole_);
   --copy->leaf_count;
   EXPECT_EQ(check_totals(*copy, block_), Violation::kLeafCount);
-  PoolCorruptor::used(copy->pairs) = static_cast<uint16_t>(copy->pairs.used() - 1);
+  copy->pairs.release(static_cast<uint16_t>(any_parent() >> 1));
   EXPECT_EQ(check_totals(*copy, block_), Violation::kVolume);
 }
 
@@ -150,7 +162,7 @@ TEST_F(Invariants, FindAWrongMass) {
 }
 
 TEST_F(Invariants, FindAWrongCount) {
-  EXPECT_EQ(after([](TestForest& f) { (void)f.pairs.allocate(); }), Violation::kLeafCount);
+  EXPECT_EQ(after([](TestForest& f) { (void)f.pairs.allocate(kNone, 0); }), Violation::kLeafCount);
 }
 
 TEST_F(Invariants, FindAnUnusedNode) {
@@ -159,7 +171,7 @@ TEST_F(Invariants, FindAnUnusedNode) {
 
 TEST_F(Invariants, FindADamagedPool) {
   EXPECT_EQ(after([](TestForest& f) { PoolCorruptor::order(f.nodes, 290) = 3; }), Violation::kPool);
-  EXPECT_EQ(after([](TestForest& f) { PoolCorruptor::order(f.pairs, 590) = kNone; }), Violation::kPool);
+  EXPECT_EQ(after([](TestForest& f) { PoolCorruptor::parent(f.pairs, 590) = kNone; }), Violation::kPool);
   EXPECT_EQ(after([](TestForest& f) { PoolCorruptor::counters(f.nodes).peak = 1; }), Violation::kPool);
 }
 

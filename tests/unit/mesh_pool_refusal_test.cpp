@@ -20,14 +20,14 @@ bool is_same_but_counters(const Forest<Profile>& a, const Forest<Profile>& b) {
                           same_bytes(a.node.velocity, b.node.velocity) &&
                           same_bytes(a.node.force, b.node.force);
   const bool same_leaves = same_bytes(a.leaf, b.leaf);
-  const bool same_tets = same_bytes(a.tet, b.tet) && a.parent == b.parent;
+  const bool same_tets = same_bytes(a.tet, b.tet);
   bool same_pools = a.nodes.used() == b.nodes.used() && a.pairs.used() == b.pairs.used();
   for (uint16_t i = 0; i < Profile::kNodes; ++i) {
-    same_pools = same_pools && a.nodes.live(i) == b.nodes.live(i) &&
-                 a.nodes.handle(i).generation == b.nodes.handle(i).generation;
+    same_pools = same_pools && a.nodes.live(i) == b.nodes.live(i);
   }
-  for (uint16_t i = 0; i < Forest<Profile>::kPairs; ++i)
-    same_pools = same_pools && a.pairs.live(i) == b.pairs.live(i);
+  for (uint16_t i = 0; i < Forest<Profile>::kPairs; ++i) {
+    same_pools = same_pools && a.pairs.parent(i) == b.pairs.parent(i) && a.pairs.level(i) == b.pairs.level(i);
+  }
   return same_nodes && same_leaves && same_tets && same_pools && a.leaf_count == b.leaf_count;
 }
 
@@ -104,7 +104,8 @@ TEST(PoolRefusal, PairsAreCheckedBeforeAnythingChanges) {
   Patch patch{};
   ASSERT_EQ(find_ready_patch(*forest, forest->leaf[0].tet, patch), MeshStatus::kDone);
   ASSERT_EQ(patch.count, 6u);
-  while (forest->pairs.used() + patch.count - 1 < Forest<Profile>::kPairs) (void)forest->pairs.allocate();
+  while (forest->pairs.used() + patch.count - 1 < Forest<Profile>::kPairs)
+    (void)forest->pairs.allocate(kNone, 0);
   const auto before = copy_of(*forest);
   EXPECT_EQ(bisect(*forest, patch), MeshStatus::kPairsFull);
   EXPECT_TRUE(is_same_but_counters(*before, *forest));
@@ -123,22 +124,20 @@ TEST(PoolRefusal, RootsThatDoNotFit) {
   EXPECT_EQ(status_of(TestProfile<18, 16, 3>{}), MeshStatus::kDone);
 }
 
-/// A released node's handle stays stale after its slot is used again.
-TEST(PoolRefusal, HandlesOfMergedNodesAreStale) {
+/// A merged node's slot is the next one that is used.
+TEST(PoolRefusal, SlotsOfMergedNodesAreUsedAgain) {
   auto forest = roots_of<Bar>(bar_block());
   Patch patch{};
   ASSERT_EQ(find_ready_patch(*forest, forest->leaf[0].tet, patch), MeshStatus::kDone);
   ASSERT_EQ(bisect(*forest, patch), MeshStatus::kDone);
   const uint16_t middle = forest->nodes.live(forest->nodes.used() - 1u);
-  const Handle handle = forest->nodes.handle(middle);
-  EXPECT_TRUE(forest->nodes.is_live(handle));
+  EXPECT_TRUE(forest->nodes.is_live(middle));
   Patch back{};
   ASSERT_EQ(find_merge(*forest, forest->child(patch.tet[0], 0), back), MeshStatus::kDone);
   merge(*forest, back);
-  EXPECT_FALSE(forest->nodes.is_live(handle));
+  EXPECT_FALSE(forest->nodes.is_live(middle));
   ASSERT_EQ(bisect(*forest, patch), MeshStatus::kDone);
   EXPECT_TRUE(forest->nodes.is_live(middle));
-  EXPECT_FALSE(forest->nodes.is_live(handle));
 }
 
 }  // namespace

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+
+#include "palpate/mesh/rotation_front.hpp"
 #include "support/forests.hpp"
 
 namespace palpate::test {
@@ -18,8 +22,8 @@ TEST(UniformMesh, OfTheBarHasThePapersCounts) {
     EXPECT_EQ(forest->nodes.used(), counts.nodes);
     EXPECT_EQ(check_forest(*forest, bar_block()), Violation::kNothing);
     for (uint32_t i = 0; i < forest->leaf_count; ++i) {
-      EXPECT_EQ(forest->leaf[i].level, counts.level);
-      EXPECT_EQ(type_of_level(forest->leaf[i].level), TetType::kType0);
+      EXPECT_EQ(forest->leaf[i].level(), counts.level);
+      EXPECT_EQ(type_of_level(forest->leaf[i].level()), TetType::kType0);
     }
   }
 }
@@ -32,6 +36,24 @@ TEST(UniformMesh, ConformsAtEveryLevelOfEveryBlock) {
     for (uint8_t level = 0; level <= 9; ++level) {
       ASSERT_EQ(refine_uniformly(*forest, level), MeshStatus::kDone);
       ASSERT_EQ(check_forest(*forest, block), Violation::kNothing) << unsigned{level};
+    }
+  }
+}
+
+/// Uniform meshes fill a root's lattice at every third level; others have a part of it.
+TEST(UniformMesh, ARootHasNoMoreNodesThanItsLattice) {
+  auto forest = roots_of<Deep>(full_block(1, 1, 1));
+  for (uint8_t level = 0; level <= 9; ++level) {
+    ASSERT_EQ(refine_uniformly(*forest, level), MeshStatus::kDone);
+    std::map<uint16_t, std::set<uint16_t>> nodes_of_root;
+    for (uint32_t i = 0; i < forest->leaf_count; ++i) {
+      std::set<uint16_t>& nodes = nodes_of_root[ancestor_at(*forest, forest->leaf[i].tet, 0)];
+      nodes.insert(forest->leaf[i].node.begin(), forest->leaf[i].node.end());
+    }
+    ASSERT_EQ(nodes_of_root.size(), kRootsPerCube);
+    for (const auto& [root, nodes] : nodes_of_root) {
+      EXPECT_LE(nodes.size(), most_nodes_of_root(level));
+      EXPECT_EQ(nodes.size() == most_nodes_of_root(level), level % 3 == 0) << unsigned{level};
     }
   }
 }

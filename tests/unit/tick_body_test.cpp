@@ -49,7 +49,7 @@ TEST(TickBody, AGraspPullsBackAndAnOpenOneDoesNot) {
   for (int i = 1; i <= 100; ++i) {
     output = tick_once(*state, at_corner(Vector3d(0.001 * i, 0, 0), true));
     ASSERT_TRUE(has(output, TickFlag::kGrasping));
-    ASSERT_EQ(state->grasp.node.index, corner);
+    ASSERT_EQ(state->grasp.node, corner);
   }
   EXPECT_LT(output.reaction[0].raw(), 0);  // the tissue pulls the tool back
   // The node follows the tool with the offset that it had when the grasp closed.

@@ -32,7 +32,8 @@ inline Descent descend(const CoreState& state, uint16_t wanted) {
   if (descent.status != MeshStatus::kDone) return descent;
   for (uint32_t i = 0; i < descent.patch.count; ++i) {
     const Leaf& leaf = forest.leaf_of(descent.patch.tet[i]);
-    if (leaf.level >= state.model.remesh.stretch.levels[leaf.region].most) descent.is_within_levels = false;
+    if (leaf.level() >= state.model.remesh.stretch.levels[leaf.region()].most)
+      descent.is_within_levels = false;
   }
   return descent;
 }
@@ -66,7 +67,7 @@ class MeshGrowth {
       if (count > leaves || nodes == 0) continue;
       int32_t cost = count * nodes - leaves;
       cost = cost < 0 ? -cost : cost;
-      const uint8_t level = forest_.leaf_of(descent.patch.tet[0]).level;
+      const uint8_t level = forest_.leaf_of(descent.patch.tet[0]).level();
       if (scene_.keeps_type1 && type_of_level(level) == TetType::kType1) cost += 8 * nodes;
       if (scene_.is_deep) cost -= nodes * level;
       if (cost < least) patch = descent.patch;
@@ -86,12 +87,12 @@ inline uint16_t draw_group(const CoreState& state, Front which, Draw& draw) {
   constexpr uint32_t kDraws = 16;
   const auto& front = state.front;
   const auto size_of = [&](uint16_t group) -> uint32_t {
-    return which == Front::kUneven ? front.leaves[group].count : state.forest.tet[front.tet[group]].level;
+    return which == Front::kUneven ? front.leaves[group].count : state.forest.level_of(front.tet[group]);
   };
   uint16_t best = kNone;
   for (uint32_t i = 0; i < kDraws && (which != Front::kAny || best == kNone); ++i) {
     const uint16_t group = front.groups.live(draw.below(front.groups.used()));
-    if (state.forest.tet[front.tet[group]].is_leaf) continue;
+    if (state.forest.tet[front.tet[group]].is_leaf()) continue;
     if (best == kNone || size_of(group) < size_of(best)) best = group;
   }
   return best;

@@ -37,7 +37,7 @@ class MeshWishes {
 
   /// Of a leaf's parent and those around the same edge. False when there is none.
   bool find(const Leaf& leaf, Merge& merge) const {
-    if (leaf.level == 0 || find_merge(forest_, leaf.tet, merge.patch) != MeshStatus::kDone) return false;
+    if (leaf.level() == 0 || find_merge(forest_, leaf.tet, merge.patch) != MeshStatus::kDone) return false;
     merge.middle = middle_node(leaf);
     merge.ends = restored_edge(forest_, merge.patch.tet[0]);
     return may_tether(merge.middle, merge.ends);
@@ -56,7 +56,7 @@ class MeshWishes {
     for (uint32_t i = 0; i < patch.count; ++i) {
       for (uint32_t which = 0; which < 2; ++which) {
         const Leaf& leaf = forest_.leaf_of(forest_.child(patch.tet[i], which));
-        if (forest_.tet[state_.front.tet[leaf.group]].level >= leaf.level) return false;
+        if (forest_.level_of(state_.front.tet[leaf.group]) >= leaf.level()) return false;
       }
     }
     return true;
@@ -136,7 +136,8 @@ class MeshWishes {
     for (uint32_t i = 0; i < forest_.leaf_count && others < kLooks; ++i) {
       const Leaf& leaf = forest_.leaf[(state_.urgencies.merge_at + i) % forest_.leaf_count];
       Merge merge;
-      if (leaf.level == 0 || state_.tethers.holds(middle_node(leaf)) || urgency(leaf.tet) < Urgency::kWanted)
+      if (leaf.level() == 0 || state_.tethers.holds(middle_node(leaf)) ||
+          urgency(leaf.tet) < Urgency::kWanted)
         continue;
       if (find_merge(forest_, leaf.tet, merge.patch) != MeshStatus::kDone) continue;
       if (scene_.wishes_any ? !is_below_front(merge.patch) : merge.patch.count < 6) continue;

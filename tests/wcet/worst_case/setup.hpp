@@ -60,7 +60,7 @@ class Setup {
     int32_t largest = 0;
     for (uint32_t i = 0; i < forest_.leaf_count; ++i) {
       const Leaf& leaf = forest_.leaf[i];
-      if (leaf.level == 0 || along(forest_.node.rest[middle_node(leaf)], axis) != plane) continue;
+      if (leaf.level() == 0 || along(forest_.node.rest[middle_node(leaf)], axis) != plane) continue;
       Patch patch{};
       if (find_merge(forest_, leaf.tet, patch) != MeshStatus::kDone) continue;
       // Each leaf of the patch says so.
@@ -211,7 +211,7 @@ class Setup {
       for (uint32_t i = 0; i < front.groups.used(); ++i) {
         const uint16_t group = front.groups.live(i);
         const bool is_free = front.partner[group] == kNone && state_.groups.misfit[group] != Misfit::max();
-        if (!is_free || forest_.tet[front.tet[group]].is_leaf) continue;
+        if (!is_free || forest_.tet[front.tet[group]].is_leaf()) continue;
         if (largest == kNone || front.leaves[group].count > front.leaves[largest].count) largest = group;
       }
       if (largest == kNone) return;
@@ -234,7 +234,7 @@ class Setup {
         const uint32_t rest = kSlice - looked;
         const uint32_t count = front.leaves[group].count < rest ? front.leaves[group].count : rest;
         looked += count;
-        if (!forest_.tet[front.tet[group]].is_leaf) worth += count;
+        if (!forest_.tet[front.tet[group]].is_leaf()) worth += count;
       }
       if (worth <= most) continue;
       most = worth;

@@ -32,7 +32,8 @@ class Wild {
     whole_ = leaf;
     switch (draw_.below(3)) {
       case 0:
-        leaf.axes = leaf.axes.of_second_child(TetType::kType1);
+        leaf.kind =
+            LeafKind(leaf.path(), leaf.axes().of_second_child(TetType::kType1), leaf.region(), leaf.level());
         break;
       case 1:
         for (uint16_t& neighbour : leaf.neighbour) neighbour = kNone;
@@ -160,10 +161,11 @@ class Wild {
     core_.model.contact.friction = Fraction::from_raw(raw() & 0x3fff'ffff);
     core_.model.grasp_reach = Position::from_raw(draw_.one_in(2) ? 0 : raw() & 0x1fff'ffff);
     core_.grasp.was_closed = draw_.one_in(2);
-    core_.grasp.node =
-        draw_.one_in(3) ? core_.forest.nodes.handle(core_.forest.nodes.live(0)) : Handle{kNone, 0};
-    if (draw_.one_in(2)) ++core_.grasp.node.generation;
-    core_.driven.node = core_.grasp.node.index;
+    const auto& nodes = core_.forest.nodes;
+    core_.grasp.node = draw_.one_in(3) ? nodes.live(0) : kNone;
+    const bool is_gone = draw_.one_in(2) && nodes.used() < Profile::kNodes;
+    if (core_.grasp.holds() && is_gone) core_.grasp.node = nodes.live(nodes.used());
+    core_.driven.node = core_.grasp.node;
     core_.driven.target = within_position_limit(vector<Position>());
     Contact& contact = core_.contact;
     contact.is_present = !draw_.one_in(4);

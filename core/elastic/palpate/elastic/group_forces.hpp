@@ -10,8 +10,8 @@ namespace palpate {
 /// A rotation's entries below 1, so that a product's high word is its value.
 using FrameEntry = Q<0, 31>;
 
-/// Scratch of one evaluation: the frame of the group at hand, and positions and forces in it by node. Beside
-/// each other, so that a node is one address.
+/// Scratch of one evaluation: the frame of the group at hand, and positions and forces in it of the group's
+/// nodes, in the order of its list. Beside each other, so that a node is one address.
 template <class Profile>
 struct GroupFrame {
   struct Node {
@@ -20,7 +20,7 @@ struct GroupFrame {
   };
   Matrix3<FrameEntry> rotation;
   Matrix3<Strain> gradient;  // R^T F, the volume mean of its leaves
-  std::array<Node, Profile::kNodes> node;
+  std::array<Node, RotationFront<Profile>::kNodesOfGroup> node;
 };
 
 namespace group_forces_detail {
@@ -82,7 +82,7 @@ enum class Observe : bool { kNo, kYes };
 template <class Profile>
 class GroupForces {
  public:
-  GroupForces(Forest<Profile>& forest, const RotationFront<Profile>& front, Groups<Profile>& groups,
+  GroupForces(Forest<Profile>& forest, RotationFront<Profile>& front, Groups<Profile>& groups,
               const Materials& materials, GroupFrame<Profile>& frame)
       : forest_(forest), front_(front), groups_(groups), materials_(materials), frame_(frame) {}
 
@@ -99,14 +99,17 @@ class GroupForces {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
       const Span span = front_.nodes[group];
+      check(span.count <= frame_.node.size(), "a group has more nodes than a root can have");
       group_forces_detail::set_frame(groups_.used[group], frame_.rotation);
       (void)clamped.take();
       const group_forces_detail::FrameEntries r(frame_.rotation);
       const Vector3<Position>& origin = at[front_.node_order[span.begin]];
       for (const uint32_t k : nodes.take(span.begin, span.count)) {
         const uint16_t node = front_.node_order[k];
-        frame_.node[node] = {group_forces_detail::into_frame(r, at[node], origin, clamped),
-                             zero_vector<Force>()};
+        const uint32_t place = k - span.begin;
+        front_.mark[node] = place;
+        frame_.node[place] = {group_forces_detail::into_frame(r, at[node], origin, clamped),
+                              zero_vector<Force>()};
       }
       const Span own = front_.leaves[group];
       if constexpr (Mode == Observe::kYes) {
@@ -115,7 +118,7 @@ class GroupForces {
         add_leaves(leaves.take(own.begin, own.count), clamped);
       }
       clamped_groups += clamped.take() ? 1u : 0u;
-      add_to_nodes(r, nodes_back.take(span.begin, span.count));
+      add_to_nodes(r, span.begin, nodes_back.take(span.begin, span.count));
     }
     return clamped_groups;
   }
@@ -134,6 +137,10 @@ class GroupForces {
     }
   };
 
+  [[nodiscard]] PALPATE_ALWAYS_INLINE typename GroupFrame<Profile>::Node& in_frame(uint16_t node) {
+    return frame_.node[front_.mark[node]];
+  }
+
   void clear_forces() {
     for (const uint32_t i : bounded<Profile::kNodes>(forest_.nodes.used(), [] {})) {
       forest_.node.force[forest_.nodes.live(i)] = zero_vector<Force>();
@@ -150,11 +157,11 @@ class GroupForces {
   /// And their mean gradient.
   template <class Range>
   PALPATE_ALWAYS_INLINE void observe_leaves(uint16_t group, Range range, ClampFlag& clamped) {
-    const uint8_t group_level = forest_.tet[front_.tet[group]].level;
+    const uint8_t group_level = forest_.level_of(front_.tet[group]);
     for (const uint32_t i : bounded<9>(9, [] {})) frame_.gradient.data()[i] = Strain::from_raw(0);
     for (const uint32_t k : range) {
       const Leaf& leaf = forest_.leaf[front_.leaf_order[k]];
-      const auto depth = static_cast<uint32_t>(leaf.level - group_level);
+      const auto depth = static_cast<uint32_t>(leaf.level() - group_level);
       add_leaf(leaf, AddsGradient{depth, frame_.gradient}, clamped);
     }
     set_gradient(group);
@@ -166,7 +173,7 @@ class GroupForces {
   /// `see` is shown the leaf's LeafForce between its edge vectors and its forces.
   template <class See>
   PALPATE_ALWAYS_INLINE void add_leaf(const Leaf& leaf, See see, ClampFlag& clamped) {
-    switch (leaf.level) {
+    switch (leaf.level()) {
       case 0:
         return add_leaf_of<0>(leaf, see, clamped);
       case 1:
@@ -206,25 +213,26 @@ class GroupForces {
                                          [[maybe_unused]] ClampFlag& clamped) {
     static_assert(Level <= kDeepestLevel);
     if constexpr (Level <= Profile::kMaxLevel) {
-      auto& n0 = frame_.node[leaf.node[0]];
-      auto& n1 = frame_.node[leaf.node[1]];
-      auto& n2 = frame_.node[leaf.node[2]];
-      auto& n3 = frame_.node[leaf.node[3]];
-      LeafForce<Level> force(leaf.axes);
+      auto& n0 = in_frame(leaf.node[0]);
+      auto& n1 = in_frame(leaf.node[1]);
+      auto& n2 = in_frame(leaf.node[2]);
+      auto& n3 = in_frame(leaf.node[3]);
+      LeafForce<Level> force(leaf.axes());
       force.gather(n0.position, n1.position, n2.position, n3.position, clamped);
       see(force);
-      force.scatter(materials_[leaf.region], n0.force, n1.force, n2.force, n3.force, clamped);
+      force.scatter(materials_[leaf.region()], n0.force, n1.force, n2.force, n3.force, clamped);
     }
   }
 
   /// Rotates the sums back. Rounding leaves a net force of some LSB, which the group's first node takes back.
   template <class Range>
-  PALPATE_ALWAYS_INLINE void add_to_nodes(const group_forces_detail::FrameEntries& r, Range range) {
+  PALPATE_ALWAYS_INLINE void add_to_nodes(const group_forces_detail::FrameEntries& r, uint16_t begin,
+                                          Range range) {
     Vector3<Force> net = zero_vector<Force>();
     uint16_t first = kNone;
     for (const uint32_t k : range) {
       const uint16_t node = front_.node_order[k];
-      const Vector3<Force> force = group_forces_detail::out_of_frame(r, frame_.node[node].force);
+      const Vector3<Force> force = group_forces_detail::out_of_frame(r, frame_.node[k - begin].force);
       forest_.node.force[node] += force;
       net += force;
       first = first == kNone ? node : first;
@@ -233,7 +241,7 @@ class GroupForces {
   }
 
   Forest<Profile>& forest_;
-  const RotationFront<Profile>& front_;
+  RotationFront<Profile>& front_;
   Groups<Profile>& groups_;
   const Materials& materials_;
   GroupFrame<Profile>& frame_;

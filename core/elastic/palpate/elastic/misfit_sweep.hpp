@@ -41,8 +41,8 @@ inline Vector3<Strain> turn_of(const Leaf& leaf, const EdgeVectors& edges, const
   using Moment = Q<6, 25>;  // r_k x g_k, of components of g within +-8
   Vector3<Moment> sum = zero_vector<Moment>();
   const auto add = [&](uint32_t k, const EdgeVector& g) {
-    const RotationEntry* column = r.data() + std::size_t{3} * leaf.axes.axis(k);
-    const int32_t minus = leaf.axes.is_negative(k) ? -1 : 0;
+    const RotationEntry* column = r.data() + std::size_t{3} * leaf.axes().axis(k);
+    const int32_t minus = leaf.axes().is_negative(k) ? -1 : 0;
     const auto along = [&](Eigen::Index axis) {
       return Position::from_raw(within_bits<31>(with_sign(minus, g[axis]).raw()));
     };
@@ -56,7 +56,7 @@ inline Vector3<Strain> turn_of(const Leaf& leaf, const EdgeVectors& edges, const
   add(0, edges.g1);
   add(1, edges.g2);
   add(2, edges.g3);
-  const int shift = Strain::kFractionBits - Moment::kFractionBits + size_of_level(leaf.level);
+  const int shift = Strain::kFractionBits - Moment::kFractionBits + size_of_level(leaf.level());
   const auto limit = Moment::from_raw(((int32_t{8} << Strain::kFractionBits) - 1) >> shift);
   const auto scaled = [&](Moment moment) {
     return Strain::from_raw(clamp(moment, -limit, limit).raw() * (1 << shift));
@@ -67,11 +67,11 @@ inline Vector3<Strain> turn_of(const Leaf& leaf, const EdgeVectors& edges, const
 template <class Profile>
 void add_leaf(const Forest<Profile>& forest, const Leaf& leaf, const RotationMatrix& r, uint8_t group_level,
               MisfitSums& sums) {
-  if (leaf.level == group_level) return;
+  if (leaf.level() == group_level) return;
   const auto& x = forest.node.position;
-  const EdgeVectors edges = edge_vectors(type_of_level(leaf.level), x[leaf.node[0]], x[leaf.node[1]],
+  const EdgeVectors edges = edge_vectors(type_of_level(leaf.level()), x[leaf.node[0]], x[leaf.node[1]],
                                          x[leaf.node[2]], x[leaf.node[3]]);
-  sums.add(turn_of(leaf, edges, r), leaf.path, static_cast<uint32_t>(leaf.level - group_level));
+  sums.add(turn_of(leaf, edges, r), leaf.path(), static_cast<uint32_t>(leaf.level() - group_level));
 }
 
 }  // namespace misfit_detail
@@ -89,7 +89,7 @@ void renew_misfits(const Forest<Profile>& forest, const RotationFront<Profile>& 
     const uint16_t group = front.groups.live(sweep.group_at);
     const Span span = front.leaves[group];
     sweep.resume(front.tet[group], span.count);
-    const uint8_t level = forest.tet[front.tet[group]].level;
+    const uint8_t level = forest.level_of(front.tet[group]);
     const RotationMatrix r = rotation_matrix(groups.used[group]);
     const uint32_t rest = static_cast<uint32_t>(span.count) - sweep.leaf_at;
     const uint32_t count = rest < left ? rest : left;

@@ -7,17 +7,13 @@
 
 namespace palpate {
 
-/// Names one use of a slot: after the slot is released and used again, an old handle is no longer alive.
-struct Handle {
-  uint16_t index;
-  uint16_t generation;
-};
-
 inline constexpr uint16_t kNone = 0xffff;
 
 struct PoolCounters {
   uint16_t peak;     // most indices in use at once
   uint16_t refused;  // allocations that found the pool full (saturates)
+
+  void refuse() { refused = refused < 0xffff ? static_cast<uint16_t>(refused + 1u) : refused; }
 };
 
 template <uint16_t Capacity>
@@ -32,7 +28,6 @@ class IndexPool {
     for (const uint32_t i : bounded<Capacity>(Capacity, [] {})) {
       order_[i] = static_cast<uint16_t>(i);
       place_[i] = static_cast<uint16_t>(i);
-      generation_[i] = 0;
     }
     used_ = 0;
     counters_ = PoolCounters{0, 0};
@@ -41,7 +36,7 @@ class IndexPool {
   /// Whether `count` more indices are free; if not, that is counted as one refusal.
   [[nodiscard]] bool has_room(uint32_t count) {
     const bool fits = used_ + count <= Capacity;
-    if (!fits && counters_.refused < 0xffff) ++counters_.refused;
+    if (!fits) counters_.refuse();
     return fits;
   }
 
@@ -64,14 +59,9 @@ class IndexPool {
     place_[moved] = hole;
     order_[used_] = index;
     place_[index] = used_;
-    ++generation_[index];
   }
 
   [[nodiscard]] bool is_live(uint16_t index) const { return index < Capacity && place_[index] < used_; }
-  [[nodiscard]] bool is_live(Handle handle) const {
-    return is_live(handle.index) && generation_[handle.index] == handle.generation;
-  }
-  [[nodiscard]] Handle handle(uint16_t index) const { return Handle{index, generation_[index]}; }
   /// The at-th live index; release moves the last one into the gap.
   [[nodiscard]] uint16_t live(uint32_t at) const { return order_[at]; }
   [[nodiscard]] uint16_t used() const { return used_; }
@@ -89,9 +79,8 @@ class IndexPool {
  private:
   friend struct PoolCorruptor;  // tests damage a pool through it, to see is_whole object
 
-  std::array<uint16_t, Capacity> order_;       // live indices first, then free ones
-  std::array<uint16_t, Capacity> place_;       // where each index stands in order_
-  std::array<uint16_t, Capacity> generation_;  // grows with each release
+  std::array<uint16_t, Capacity> order_;  // live indices first, then free ones
+  std::array<uint16_t, Capacity> place_;  // where each index stands in order_
   uint16_t used_;
   PoolCounters counters_;
 };

@@ -1,42 +1,36 @@
 // The bisection forest: a binary tree under every root tet. Leaves are the simulation mesh and carry vertices
-// and neighbours; internal tets keep only their child pair, parent and level. Tets live in sibling pairs (2p,
-// 2p + 1), so a sibling is one bit away and a parent is stored once a pair. Leaves are dense: leaf[0 ..
+// and neighbours; internal tets keep only their child pair. Tets live in sibling pairs (2p, 2p + 1), so a
+// sibling is one bit away, and parent and level are stored once a pair. Leaves are dense: leaf[0 ..
 // leaf_count).
 //
 // Forest holds the data and the questions about it; bisect and merge are in patch.hpp, construction in
 // make_forest.hpp, checks in invariants.hpp.
 #pragma once
 
-#include "palpate/memory/index_pool.hpp"
-#include "palpate/mesh/block.hpp"
+#include "palpate/mesh/leaf.hpp"
 #include "palpate/mesh/node_state.hpp"
-#include "palpate/mesh/tet_shape.hpp"
+#include "palpate/mesh/sibling_pairs.hpp"
 
 namespace palpate {
 
-struct Tet {
-  uint16_t link;  // a leaf's place in `leaf`, or an internal tet's child pair
-  uint8_t level;
-  bool is_leaf;
-};
+/// Where a tet goes on: 15 bits and, in the top one, whether it is a leaf.
+class Tet {
+ public:
+  static constexpr uint16_t kMostLinks = 0x8000;
 
-/// Whole words to the last byte, so that a copy needs no call.
-struct alignas(uint32_t) Leaf {
-  std::array<uint16_t, 4> node;       // w0 .. w3 in bisection order (tet_shape.hpp)
-  std::array<uint16_t, 4> neighbour;  // the leaf tet across the face opposite w_i, or kNone on the surface
-  uint16_t tet;
-  uint16_t group;  // whose rotation it uses
-  uint16_t path;   // from its root: a bit a level, which child, the last one lowest
-  Axes axes;
-  uint8_t level;
-  uint8_t region;
-  uint16_t padding;
-};
+  Tet() = default;
+  static constexpr Tet leaf(uint32_t place) { return Tet(kLeafBit | place); }
+  static constexpr Tet internal(uint32_t child_pair) { return Tet(child_pair); }
 
-/// Which child of its ancestor at `level`, above its own, a leaf lies in.
-inline uint32_t child_towards(const Leaf& leaf, uint8_t level) {
-  return (static_cast<uint32_t>(leaf.path) >> (leaf.level - level - 1)) & 1u;
-}
+  [[nodiscard]] constexpr bool is_leaf() const { return (code_ & kLeafBit) != 0; }
+  /// A leaf's place in `leaf`, or an internal tet's child pair.
+  [[nodiscard]] constexpr uint16_t link() const { return static_cast<uint16_t>(code_ & ~kLeafBit); }
+
+ private:
+  static constexpr uint32_t kLeafBit = kMostLinks;
+  constexpr explicit Tet(uint32_t code) : code_(static_cast<uint16_t>(code)) {}
+  uint16_t code_;
+};
 
 /// What a patch operation could not do. Nothing has changed then.
 enum class MeshStatus : uint8_t {
@@ -57,9 +51,9 @@ struct Forest {
   static constexpr uint16_t kPairs = Profile::kLeaves;
   static constexpr uint16_t kTets = static_cast<uint16_t>(2 * kPairs);
   static_assert(Profile::kMaxLevel <= kDeepestLevel, "palpate: levels end at kDeepestLevel");
+  static_assert(kLeaves <= Tet::kMostLinks && kPairs <= Tet::kMostLinks, "palpate: a tet links in 15 bits");
 
-  IndexPool<kPairs> pairs;
-  std::array<uint16_t, kPairs> parent;  // of a pair, kNone for roots
+  SiblingPairs<kPairs> pairs;
   std::array<Tet, kTets> tet;
 
   uint16_t leaf_count;
@@ -73,28 +67,18 @@ struct Forest {
   /// Whether `count` more leaves fit; if not, that is counted as one refusal.
   [[nodiscard]] bool has_room_for_leaves(uint32_t count) {
     const bool fits = leaf_count + count <= kLeaves;
-    if (!fits && leaf_counters.refused < 0xffff) ++leaf_counters.refused;
+    if (!fits) leaf_counters.refuse();
     return fits;
   }
-  [[nodiscard]] Leaf& leaf_of(uint16_t t) { return leaf[tet[t].link]; }
-  [[nodiscard]] const Leaf& leaf_of(uint16_t t) const { return leaf[tet[t].link]; }
-  [[nodiscard]] uint16_t parent_of(uint16_t t) const { return parent[t >> 1]; }
+  [[nodiscard]] Leaf& leaf_of(uint16_t t) { return leaf[tet[t].link()]; }
+  [[nodiscard]] const Leaf& leaf_of(uint16_t t) const { return leaf[tet[t].link()]; }
+  /// kNone for roots.
+  [[nodiscard]] uint16_t parent_of(uint16_t t) const { return pairs.parent(t >> 1); }
+  [[nodiscard]] uint8_t level_of(uint16_t t) const { return pairs.level(t >> 1); }
   [[nodiscard]] static constexpr uint16_t sibling(uint16_t t) { return t ^ 1u; }
   [[nodiscard]] uint16_t child(uint16_t t, uint32_t which) const {
-    return static_cast<uint16_t>(2u * tet[t].link + which);
+    return static_cast<uint16_t>(2u * tet[t].link() + which);
   }
 };
-
-/// Place (0 .. 3) of a node in a leaf; the node must be one of its vertices.
-inline uint32_t place_of_node(const Leaf& leaf, uint16_t node) {
-  check(leaf.node[0] == node || leaf.node[1] == node || leaf.node[2] == node || leaf.node[3] == node,
-        "a node is not where its neighbour expects it");
-  return leaf.node[0] == node ? 0u : leaf.node[1] == node ? 1u : leaf.node[2] == node ? 2u : 3u;
-}
-
-/// Face (0 .. 3) that a leaf shares with a neighbouring tet.
-inline uint32_t face_towards(const Leaf& leaf, uint16_t tet) {
-  return leaf.neighbour[0] == tet ? 0u : leaf.neighbour[1] == tet ? 1u : leaf.neighbour[2] == tet ? 2u : 3u;
-}
 
 }  // namespace palpate

@@ -41,9 +41,9 @@ FrontViolation check_leaf_list(const Forest<Profile>& forest, const RotationFron
     const uint16_t at = front.leaf_order[span.begin + i];
     if (at >= forest.leaf_count || forest.leaf[at].group != group) return FrontViolation::kLeafList;
     if (i > 0 && front.leaf_order[span.begin + i - 1] >= at) return FrontViolation::kLeafList;
-    volume += uint32_t{1} << (kDeepestLevel - forest.leaf[at].level);
+    volume += uint32_t{1} << (kDeepestLevel - forest.leaf[at].level());
   }
-  const uint32_t whole = uint32_t{1} << (kDeepestLevel - forest.tet[front.tet[group]].level);
+  const uint32_t whole = uint32_t{1} << (kDeepestLevel - forest.level_of(front.tet[group]));
   return volume == whole ? FrontViolation::kNothing : FrontViolation::kCover;
 }
 
@@ -51,7 +51,9 @@ FrontViolation check_leaf_list(const Forest<Profile>& forest, const RotationFron
 template <class Profile>
 bool has_its_nodes(const Forest<Profile>& forest, const RotationFront<Profile>& front, uint16_t group) {
   const Span span = front.nodes[group];
-  if (uint32_t{span.begin} + span.count > RotationFront<Profile>::kGroupNodes) return false;
+  using Front = RotationFront<Profile>;
+  if (span.count > Front::kNodesOfGroup || uint32_t{span.begin} + span.count > Front::kGroupNodes)
+    return false;
   std::array<bool, Profile::kNodes> listed{};
   for (const uint32_t i : bounded<Profile::kNodes>(span.count < Profile::kNodes ? span.count : 0u, [] {})) {
     const uint16_t node = front.node_order[span.begin + i];
@@ -81,9 +83,9 @@ template <class Profile>
   const Leaf& leaf = forest.leaf[index];
   if (!front.groups.is_live(leaf.group)) return FrontViolation::kLeafGroup;
   const uint16_t tet = front.tet[leaf.group];
-  if (tet >= Forest<Profile>::kTets || forest.tet[tet].level > leaf.level) return FrontViolation::kLeafGroup;
-  return ancestor_at(forest, leaf.tet, forest.tet[tet].level) == tet ? FrontViolation::kNothing
-                                                                     : FrontViolation::kLeafGroup;
+  if (tet >= Forest<Profile>::kTets || forest.level_of(tet) > leaf.level()) return FrontViolation::kLeafGroup;
+  return ancestor_at(forest, leaf.tet, forest.level_of(tet)) == tet ? FrontViolation::kNothing
+                                                                    : FrontViolation::kLeafGroup;
 }
 
 /// Everything that one group can tell. O(nodes + leaves of the group).
@@ -92,7 +94,7 @@ template <class Profile>
                                          uint16_t group) {
   namespace detail = front_invariants_detail;
   const uint16_t tet = front.tet[group];
-  if (tet >= Forest<Profile>::kTets || !forest.pairs.is_live(static_cast<uint16_t>(tet >> 1))) {
+  if (tet >= Forest<Profile>::kTets || !forest.pairs.is_live(tet >> 1)) {
     return FrontViolation::kTet;
   }
   if (!detail::names_its_partner(forest, front, group)) return FrontViolation::kPartner;

@@ -32,7 +32,7 @@ inline void add_once(FrontPatch& patch, uint16_t tet) {
 template <class Profile>
 [[nodiscard]] MeshStatus find_front_patch(const Forest<Profile>& forest, const RotationFront<Profile>& front,
                                           uint16_t tet, FrontPatch& patch) {
-  const uint8_t level = forest.tet[tet].level;
+  const uint8_t level = forest.level_of(tet);
   patch.count = 0;
   patch.blocker = kNone;
   // First children keep vertex 0, and the edge's middle takes the place of its end in the first of them:
@@ -44,7 +44,7 @@ template <class Profile>
   check(walk == MeshStatus::kDone, "the walk around a piece of an edge did not close");
   for (const uint32_t i : bounded<kMaxPatch>(around.count, [] {})) {
     const uint16_t group = forest.leaf_of(around.tet[i]).group;
-    if (forest.tet[front.tet[group]].level < level) {
+    if (forest.level_of(front.tet[group]) < level) {
       patch.blocker = group;
       continue;
     }

@@ -30,19 +30,19 @@ int32_t rest_edge(const Forest<Profile>& forest, const Leaf& leaf, uint32_t k, u
   for (const uint32_t i : bounded<4>(4, [] {})) {
     const LatticePoint& w = forest.node.rest[leaf.node[i]];
     const int32_t coordinate = axis == 0 ? w.x : axis == 1 ? w.y : w.z;
-    sum += kEdgeCoefficients[static_cast<uint32_t>(type_of_level(leaf.level))][k][i] * coordinate;
+    sum += kEdgeCoefficients[static_cast<uint32_t>(type_of_level(leaf.level()))][k][i] * coordinate;
   }
   return sum;
 }
 
 template <class Profile>
 bool has_its_shape(const Forest<Profile>& forest, const Leaf& leaf) {
-  const int32_t h = kLatticeStepsPerEdge >> size_of_level(leaf.level);
+  const int32_t h = kLatticeStepsPerEdge >> size_of_level(leaf.level());
   bool right = true;
   for (const uint32_t k : bounded<3>(3, [] {})) {
     for (const uint32_t axis : bounded<3>(3, [] {})) {
-      const int32_t along = leaf.axes.is_negative(k) ? -h : h;
-      const int32_t expected = leaf.axes.axis(k) == axis ? along : 0;
+      const int32_t along = leaf.axes().is_negative(k) ? -h : h;
+      const int32_t expected = leaf.axes().axis(k) == axis ? along : 0;
       right = right && rest_edge(forest, leaf, k, axis) == expected;
     }
   }
@@ -53,14 +53,14 @@ template <class Profile>
 bool is_linked_in_tree(const Forest<Profile>& forest, uint32_t index) {
   const Leaf& leaf = forest.leaf[index];
   if (leaf.tet >= Forest<Profile>::kTets) return false;
-  const Tet& tet = forest.tet[leaf.tet];
-  if (!tet.is_leaf || tet.link != index || tet.level != leaf.level) return false;
-  if (!forest.pairs.is_live(static_cast<uint16_t>(leaf.tet >> 1))) return false;
+  const Tet tet = forest.tet[leaf.tet];
+  if (!tet.is_leaf() || tet.link() != index || forest.level_of(leaf.tet) != leaf.level()) return false;
+  if (!forest.pairs.is_live(leaf.tet >> 1)) return false;
   const uint16_t parent = forest.parent_of(leaf.tet);
-  if (parent == kNone) return leaf.level == 0;
-  return parent < Forest<Profile>::kTets && !forest.tet[parent].is_leaf &&
-         forest.tet[parent].link == leaf.tet >> 1 && forest.tet[parent].level + 1 == leaf.level &&
-         forest.pairs.is_live(static_cast<uint16_t>(parent >> 1));
+  if (parent == kNone) return leaf.level() == 0;
+  return parent < Forest<Profile>::kTets && !forest.tet[parent].is_leaf() &&
+         forest.tet[parent].link() == leaf.tet >> 1 && forest.level_of(parent) + 1 == leaf.level() &&
+         forest.pairs.is_live(parent >> 1);
 }
 
 /// Whether all three nodes of the face opposite `face` are nodes of `other`.
@@ -114,8 +114,8 @@ Violation check_neighbours(const Forest<Profile>& forest, const Block& block, co
       if (!is_on_surface(forest, block, leaf, face)) return Violation::kHole;
       continue;
     }
-    if (beyond >= Forest<Profile>::kTets || !forest.tet[beyond].is_leaf || beyond == leaf.tet ||
-        forest.tet[beyond].link >= forest.leaf_count) {
+    if (beyond >= Forest<Profile>::kTets || !forest.tet[beyond].is_leaf() || beyond == leaf.tet ||
+        forest.tet[beyond].link() >= forest.leaf_count) {
       return Violation::kNeighbour;
     }
     const Leaf& other = forest.leaf_of(beyond);
@@ -170,7 +170,7 @@ Violation check_totals(const Forest<Profile>& forest, const Block& block) {
   uint32_t volume = 0;  // in level-15 tets
   std::array<bool, Profile::kNodes> used{};
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    volume += uint32_t{1} << (kMassLevels - forest.leaf[i].level);
+    volume += uint32_t{1} << (kMassLevels - forest.leaf[i].level());
     for (const uint32_t j : bounded<4>(4, [] {})) used[forest.leaf[i].node[j]] = true;
   }
   if (volume != roots << kMassLevels) return Violation::kVolume;

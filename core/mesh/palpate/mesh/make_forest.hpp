@@ -36,25 +36,18 @@ uint16_t corner_node(Forest<Profile>& forest, const Block& block, CornerNodes& c
   return known;
 }
 
-/// Root tets come in sibling pairs too, with no parent.
+/// Root tets come in sibling pairs too, with no parent: `pair` is that of the root before.
 template <class Profile>
 MeshStatus add_root(Forest<Profile>& forest, const Block& block, CornerNodes& corners, const uint32_t cube[3],
-                    uint32_t which, uint8_t region) {
-  if (which % 2 == 0) {
-    const uint16_t pair = forest.pairs.allocate();
-    if (pair == kNone) return MeshStatus::kPairsFull;
-    forest.parent[pair] = kNone;
-  }
+                    uint32_t which, uint8_t region, uint16_t& pair) {
+  if (which % 2 == 0) pair = forest.pairs.allocate(kNone, 0);
+  if (pair == kNone) return MeshStatus::kPairsFull;
   if (!forest.has_room_for_leaves(1)) return MeshStatus::kLeavesFull;
-  const uint16_t pair = forest.pairs.live(forest.pairs.used() - 1u);
   const auto tet = static_cast<uint16_t>(2 * pair + which % 2);
   Leaf leaf{};
   leaf.tet = tet;
   leaf.group = kNone;
-  leaf.path = 0;
-  leaf.level = 0;
-  leaf.region = region;
-  leaf.axes = Axes::of(kKuhnAxes[which][0], kKuhnAxes[which][1], kKuhnAxes[which][2]);
+  leaf.kind = LeafKind(0, Axes::of(kKuhnAxes[which][0], kKuhnAxes[which][1], kKuhnAxes[which][2]), region, 0);
   uint32_t at[3] = {cube[0], cube[1], cube[2]};
   for (const uint32_t i : bounded<4>(4, [] {})) {
     if (i > 0) ++at[kKuhnAxes[which][i - 1]];
@@ -63,7 +56,7 @@ MeshStatus add_root(Forest<Profile>& forest, const Block& block, CornerNodes& co
     if (leaf.node[i] == kNone) return MeshStatus::kNodesFull;
     forest.node.mass[leaf.node[i]] += quarter_mass(0, forest.region_density[region]);
   }
-  forest.tet[tet] = Tet{forest.leaf_count, 0, true};
+  forest.tet[tet] = Tet::leaf(forest.leaf_count);
   forest.leaf[forest.leaf_count] = leaf;
   ++forest.leaf_count;
   return MeshStatus::kDone;
@@ -116,8 +109,9 @@ template <class Profile>
     const uint32_t nx = block.cubes[0];
     const uint32_t ny = block.cubes[1];
     const uint32_t cube[3] = {index % nx, index / nx % ny, index / (nx * ny)};
+    uint16_t pair = kNone;
     for (const uint32_t which : bounded<kRootsPerCube>(kRootsPerCube, [] {})) {
-      const MeshStatus status = detail::add_root(forest, block, corners, cube, which, region);
+      const MeshStatus status = detail::add_root(forest, block, corners, cube, which, region, pair);
       if (status != MeshStatus::kDone) return status;
     }
   }
@@ -131,7 +125,7 @@ template <class Profile>
 [[nodiscard]] MeshStatus refine_uniformly(Forest<Profile>& forest, uint8_t level) {
   for (const uint32_t at_level : bounded<Profile::kMaxLevel>(level, [] {})) {
     for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-      if (forest.leaf[i].level != at_level) continue;
+      if (forest.leaf[i].level() != at_level) continue;
       Patch patch{};
       MeshStatus status = find_patch(forest, forest.leaf[i].tet, patch);
       if (status == MeshStatus::kDone) status = bisect(forest, patch);

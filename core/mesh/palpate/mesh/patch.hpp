@@ -24,18 +24,18 @@ using EdgeEnds = std::array<uint16_t, 2>;
 
 /// The edge that a bisection of this leaf halves.
 inline EdgeEnds refinement_edge(const Leaf& leaf) {
-  return EdgeEnds{leaf.node[0], leaf.node[refinement_end(type_of_level(leaf.level))]};
+  return EdgeEnds{leaf.node[0], leaf.node[refinement_end(type_of_level(leaf.level()))]};
 }
 
 /// The node that the bisection of this leaf's parent made. Not for a root.
 inline uint16_t middle_node(const Leaf& leaf) {
-  return leaf.node[refinement_end(type_of_level(static_cast<uint8_t>(leaf.level - 1)))];
+  return leaf.node[refinement_end(type_of_level(static_cast<uint8_t>(leaf.level() - 1)))];
 }
 
 /// The edge that merging the children of `parent`, which are leaves, restores.
 template <class Profile>
 EdgeEnds restored_edge(const Forest<Profile>& forest, uint16_t parent) {
-  const uint32_t end = refinement_end(type_of_level(forest.tet[parent].level));
+  const uint32_t end = refinement_end(type_of_level(forest.level_of(parent)));
   return EdgeEnds{forest.leaf_of(forest.child(parent, 0)).node[0],
                   forest.leaf_of(forest.child(parent, 1)).node[end - 1]};
 }
@@ -91,10 +91,10 @@ template <class Profile, class Accepts>
 template <class Profile>
 [[nodiscard]] MeshStatus find_patch(const Forest<Profile>& forest, uint16_t start, Patch& patch) {
   const Leaf& first = forest.leaf_of(start);
-  if (first.level >= Profile::kMaxLevel) return MeshStatus::kLevelLimit;
+  if (first.level() >= Profile::kMaxLevel) return MeshStatus::kLevelLimit;
   const EdgeEnds edge = refinement_edge(first);
   return walk_around_edge(
-      forest, start, refinement_end(type_of_level(first.level)), patch, [=](const Leaf& leaf) {
+      forest, start, refinement_end(type_of_level(first.level())), patch, [=](const Leaf& leaf) {
         const EdgeEnds other = refinement_edge(leaf);
         return (other[0] == edge[0] && other[1] == edge[1]) || (other[0] == edge[1] && other[1] == edge[0]);
       });
@@ -131,16 +131,16 @@ template <class Profile>
   const uint16_t first_parent = forest.parent_of(start);
   if (first_parent == kNone) return MeshStatus::kNotMergeable;
   const uint16_t first = forest.child(first_parent, 0);
-  if (!forest.tet[first].is_leaf) return MeshStatus::kNotMergeable;
-  const uint8_t level = forest.tet[first].level;
+  if (!forest.tet[first].is_leaf()) return MeshStatus::kNotMergeable;
+  const uint8_t level = forest.level_of(first);
   const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(level - 1)));
   const uint16_t middle = middle_node(forest.leaf_of(first));
   const MeshStatus status = walk_around_edge(forest, first, end, patch, [=](const Leaf& leaf) {
-    return leaf.level == level && leaf.node[end] == middle;
+    return leaf.level() == level && leaf.node[end] == middle;
   });
   if (status != MeshStatus::kDone) return MeshStatus::kNotMergeable;
   for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-    if (!forest.tet[Forest<Profile>::sibling(patch.tet[i])].is_leaf) return MeshStatus::kNotMergeable;
+    if (!forest.tet[Forest<Profile>::sibling(patch.tet[i])].is_leaf()) return MeshStatus::kNotMergeable;
     patch.tet[i] = forest.parent_of(patch.tet[i]);
   }
   return MeshStatus::kDone;

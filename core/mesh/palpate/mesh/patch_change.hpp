@@ -9,8 +9,8 @@ namespace patch_change {
 /// Half of a parent's quarter mass moves from each end of the edge to the midpoint (+1), or back (-1).
 template <class Profile>
 void move_mass(Forest<Profile>& forest, const Leaf& parent, uint16_t middle, bool to_middle) {
-  const uint32_t end = refinement_end(type_of_level(parent.level));
-  const MassUnits half = quarter_mass(parent.level, forest.region_density[parent.region]) / 2;
+  const uint32_t end = refinement_end(type_of_level(parent.level()));
+  const MassUnits half = quarter_mass(parent.level(), forest.region_density[parent.region()]) / 2;
   auto& mass = forest.node.mass;
   const MassUnits change = to_middle ? half : 0 - half;
   mass[parent.node[0]] -= change;
@@ -26,27 +26,23 @@ inline void point_back(Leaf& outer, uint16_t from, uint16_t to) {
 /// which connect_across mends when all parents of the patch are split.
 template <class Profile>
 void split_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
-  const uint16_t slot0 = forest.tet[parent].link;
+  const uint16_t slot0 = forest.tet[parent].link();
   const Leaf old = forest.leaf[slot0];
-  const TetType type = type_of_level(old.level);
-  const uint32_t end = refinement_end(type);
-  const uint16_t pair = forest.pairs.allocate();
+  const uint32_t end = refinement_end(type_of_level(old.level()));
+  const uint16_t pair = forest.pairs.allocate(parent, static_cast<uint8_t>(old.level() + 1));
   const auto child0 = static_cast<uint16_t>(2 * pair);
   const auto child1 = static_cast<uint16_t>(2 * pair + 1);
   const uint16_t slot1 = forest.leaf_count;
   ++forest.leaf_count;
-  const auto level = static_cast<uint8_t>(old.level + 1);
-  forest.parent[pair] = parent;
-  forest.tet[parent] = Tet{pair, old.level, false};
-  forest.tet[child0] = Tet{slot0, level, true};
-  forest.tet[child1] = Tet{slot1, level, true};
+  forest.tet[parent] = Tet::internal(pair);
+  forest.tet[child0] = Tet::leaf(slot0);
+  forest.tet[child1] = Tet::leaf(slot1);
 
   Leaf& leaf0 = forest.leaf[slot0];
   leaf0.node[end] = middle;
   leaf0.neighbour[0] = child1;
   leaf0.tet = child0;
-  leaf0.path = static_cast<uint16_t>(2u * old.path);
-  leaf0.level = level;
+  leaf0.kind = old.kind.child(0);
 
   Leaf& leaf1 = forest.leaf[slot1];
   leaf1 = old;
@@ -58,9 +54,7 @@ void split_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   leaf1.neighbour[end] = old.neighbour[0];
   leaf1.neighbour[end - 1] = child0;
   leaf1.tet = child1;
-  leaf1.path = static_cast<uint16_t>(2u * old.path + 1u);
-  leaf1.level = level;
-  leaf1.axes = old.axes.of_second_child(type);
+  leaf1.kind = old.kind.child(1);
 
   if (old.neighbour[end] != kNone) point_back(forest.leaf_of(old.neighbour[end]), parent, child0);
   if (old.neighbour[0] != kNone) point_back(forest.leaf_of(old.neighbour[0]), parent, child1);
@@ -76,7 +70,7 @@ uint16_t child_with(const Forest<Profile>& forest, uint16_t parent, uint16_t edg
 
 template <class Profile>
 void connect_across(Forest<Profile>& forest, uint16_t parent) {
-  const uint32_t end = refinement_end(type_of_level(forest.tet[parent].level));
+  const uint32_t end = refinement_end(type_of_level(forest.level_of(parent)));
   const EdgeOthers other = others(end);
   Leaf& leaf0 = forest.leaf_of(forest.child(parent, 0));
   Leaf& leaf1 = forest.leaf_of(forest.child(parent, 1));
@@ -90,25 +84,36 @@ void connect_across(Forest<Profile>& forest, uint16_t parent) {
   }
 }
 
+/// Across the two faces that hold the edge the first child, whose slot is to be the parent's, names a child
+/// of the parent's neighbour: name that neighbour, while all parents of the patch still have their children.
+template <class Profile>
+void reconnect_across(Forest<Profile>& forest, uint16_t parent) {
+  const EdgeOthers other = others(refinement_end(type_of_level(forest.level_of(parent))));
+  Leaf& leaf0 = forest.leaf_of(forest.child(parent, 0));
+  for (const uint32_t i : bounded<2>(2, [] {})) {
+    uint16_t& beyond = leaf0.neighbour[i == 0 ? other.first : other.second];
+    if (beyond != kNone) beyond = forest.parent_of(beyond);
+  }
+}
+
 /// The parent becomes a leaf again in its first child's slot; its second child's slot is filled by the last
 /// leaf.
 template <class Profile>
 void join_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
-  const uint16_t pair = forest.tet[parent].link;
+  const uint16_t pair = forest.tet[parent].link();
   const Leaf leaf0 = forest.leaf_of(static_cast<uint16_t>(2 * pair));
   const Leaf leaf1 = forest.leaf_of(static_cast<uint16_t>(2 * pair + 1));
-  const uint16_t slot0 = forest.tet[leaf0.tet].link;
-  const uint16_t slot1 = forest.tet[leaf1.tet].link;
-  const auto level = static_cast<uint8_t>(leaf0.level - 1);
-  const uint32_t end = refinement_end(type_of_level(level));
+  const uint16_t slot0 = forest.tet[leaf0.tet].link();
+  const uint16_t slot1 = forest.tet[leaf1.tet].link();
+  const LeafKind kind = leaf0.kind.parent();
+  const uint32_t end = refinement_end(type_of_level(kind.level()));
 
   Leaf& whole = forest.leaf[slot0];
   whole.tet = parent;
-  whole.path = static_cast<uint16_t>(leaf0.path >> 1);
-  whole.level = level;
+  whole.kind = kind;
   whole.node[end] = leaf1.node[end - 1];
   whole.neighbour[0] = leaf1.neighbour[end];
-  forest.tet[parent] = Tet{slot0, level, true};
+  forest.tet[parent] = Tet::leaf(slot0);
   if (leaf0.neighbour[end] != kNone) point_back(forest.leaf_of(leaf0.neighbour[end]), leaf0.tet, parent);
   if (leaf1.neighbour[end] != kNone) point_back(forest.leaf_of(leaf1.neighbour[end]), leaf1.tet, parent);
   move_mass(forest, whole, middle, false);
@@ -116,20 +121,8 @@ void join_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   --forest.leaf_count;
   const Leaf last = forest.leaf[forest.leaf_count];
   forest.leaf[slot1] = last;
-  if (slot1 != forest.leaf_count) forest.tet[last.tet].link = slot1;
+  if (slot1 != forest.leaf_count) forest.tet[last.tet] = Tet::leaf(slot1);
   forest.pairs.release(pair);
-}
-
-/// Across the two faces that hold the edge a joined tet still names its neighbour's child: name the
-/// neighbour.
-template <class Profile>
-void reconnect_across(Forest<Profile>& forest, uint16_t parent) {
-  Leaf& whole = forest.leaf_of(parent);
-  const EdgeOthers other = others(refinement_end(type_of_level(whole.level)));
-  for (const uint32_t i : bounded<2>(2, [] {})) {
-    uint16_t& beyond = whole.neighbour[i == 0 ? other.first : other.second];
-    if (beyond != kNone) beyond = forest.parent_of(beyond);
-  }
 }
 
 template <class Profile>
@@ -174,10 +167,10 @@ template <class Profile>
 void merge(Forest<Profile>& forest, const Patch& patch) {
   const uint16_t middle = middle_node(forest.leaf_of(forest.child(patch.tet[0], 0)));
   for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-    patch_change::join_tet(forest, patch.tet[i], middle);
+    patch_change::reconnect_across(forest, patch.tet[i]);
   }
   for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-    patch_change::reconnect_across(forest, patch.tet[i]);
+    patch_change::join_tet(forest, patch.tet[i], middle);
   }
   check(forest.node.mass[middle] == 0, "a merged node keeps mass");
   forest.nodes.release(middle);

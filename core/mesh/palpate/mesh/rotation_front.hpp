@@ -23,6 +23,9 @@ struct RotationFront {
   /// Pairs of a group and a node of it.
   static constexpr uint32_t kGroupNodes = static_cast<uint32_t>(Profile::kLeaves) + 3u * kGroups;
   static_assert(kGroupNodes < 0xffff, "palpate: a span counts in 16 bits");
+  /// Nodes of one group, which is a root or part of one.
+  static constexpr uint32_t kNodesOfRoot = most_nodes_of_root(Profile::kMaxLevel);
+  static constexpr uint32_t kNodesOfGroup = kNodesOfRoot < Profile::kNodes ? kNodesOfRoot : Profile::kNodes;
 
   IndexPool<kGroups> groups;
   std::array<uint16_t, kGroups> tet;      // on the front
@@ -31,7 +34,9 @@ struct RotationFront {
   std::array<Span, kGroups> nodes;
   std::array<uint16_t, Profile::kLeaves> leaf_order;  // places in Forest::leaf
   std::array<uint16_t, kGroupNodes + 1> node_order;   // the last one is scratch of index_nodes
-  std::array<uint16_t, Profile::kNodes> last_group;   // of each node, while node_order is made
+  // Of each node, scratch: the group that named it last, while node_order is made; its place in the list of
+  // the group whose forces are computed.
+  std::array<uint32_t, Profile::kNodes> mark;
 };
 
 /// Whether a group's tet is the second child of its parent.
@@ -44,7 +49,7 @@ template <class Profile>
 template <class Profile>
 [[nodiscard]] uint16_t ancestor_at(const Forest<Profile>& forest, uint16_t tet, uint8_t level) {
   for ([[maybe_unused]] const uint32_t step : bounded<Profile::kMaxLevel>(Profile::kMaxLevel, [] {})) {
-    if (forest.tet[tet].level <= level) break;
+    if (forest.level_of(tet) <= level) break;
     tet = forest.parent_of(tet);
   }
   return tet;
@@ -54,7 +59,7 @@ template <class Profile>
 template <class Profile>
 [[nodiscard]] uint16_t first_leaf(const Forest<Profile>& forest, uint16_t tet) {
   for ([[maybe_unused]] const uint32_t step : bounded<Profile::kMaxLevel>(Profile::kMaxLevel, [] {})) {
-    if (forest.tet[tet].is_leaf) break;
+    if (forest.tet[tet].is_leaf()) break;
     tet = forest.child(tet, 0);
   }
   return tet;
@@ -64,7 +69,7 @@ template <class Profile>
 template <class Profile>
 void index_nodes(const Forest<Profile>& forest, RotationFront<Profile>& front) {
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
-    front.last_group[forest.nodes.live(i)] = kNone;
+    front.mark[forest.nodes.live(i)] = kNone;
   }
   auto leaves = bounded_total<Profile::kLeaves>([] {});
   uint16_t end = 0;
@@ -75,15 +80,13 @@ void index_nodes(const Forest<Profile>& forest, RotationFront<Profile>& front) {
     for (const uint32_t at : leaves.take(span.begin, span.count)) {
       const std::array<uint16_t, 4>& node = forest.leaf[front.leaf_order[at]].node;
       // 1 for one that is new in this group, without a branch; all before anything is stored.
-      const auto is_new = [&](uint32_t j) {
-        return ((static_cast<uint32_t>(front.last_group[node[j]]) ^ group) + 0xffffu) >> 16;
-      };
+      const auto is_new = [&](uint32_t j) { return ((front.mark[node[j]] ^ group) + 0xffffu) >> 16; };
       const std::array<uint32_t, 4> added = {is_new(0), is_new(1), is_new(2), is_new(3)};
       // Written in any case, and overwritten unless it is new.
       const auto add = [&](uint32_t j) {
         front.node_order[end] = node[j];
         end = static_cast<uint16_t>(end + added[j]);
-        front.last_group[node[j]] = group;
+        front.mark[node[j]] = group;
       };
       add(0);
       add(1);
@@ -157,7 +160,7 @@ template <class Profile, class Total>
   front.nodes[added] = Span{0, 0};
   for (const uint32_t at : leaves.take(front.leaves[group].begin, front.leaves[group].count)) {
     Leaf& leaf = forest.leaf[front.leaf_order[at]];
-    if (child_towards(leaf, forest.tet[tet].level) == 1) leaf.group = added;
+    if (child_towards(leaf, forest.level_of(tet)) == 1) leaf.group = added;
   }
   return added;
 }

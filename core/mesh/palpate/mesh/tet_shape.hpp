@@ -22,6 +22,13 @@ constexpr TetType type_of_level(uint32_t level) {
   return static_cast<TetType>(level - 3u * size_of_level(level));
 }
 
+/// Nodes that the leaves of one root tet can have, down to level `deepest`: the points of a lattice with n
+/// steps to a cube edge that lie in a Kuhn tetrahedron.
+constexpr uint32_t most_nodes_of_root(uint32_t deepest) {
+  const uint32_t n = 1u << size_of_level(deepest + 2);
+  return (n + 1) * (n + 2) * (n + 3) / 6;
+}
+
 /// The refinement edge joins w0 and w[refinement_end]; in both children the midpoint takes place
 /// refinement_end.
 constexpr uint32_t refinement_end(TetType type) { return 3 - static_cast<uint32_t>(type); }
@@ -40,10 +47,14 @@ constexpr bool is_even_order(uint32_t first, uint32_t second) {
 /// Signed axes of g1, g2, g3 at rest: three bits each, axis in the low two and sign in the third.
 class Axes {
  public:
+  static constexpr uint32_t kBits = 9;
+  static constexpr uint32_t kMostCode = (1u << kBits) - 1u;
+
   Axes() = default;
   static constexpr Axes of(uint32_t axis1, uint32_t axis2, uint32_t axis3) {
     return Axes(axis1 | (axis2 << 3) | (axis3 << 6));
   }
+  static constexpr Axes of_code(uint32_t code) { return Axes(code); }
   [[nodiscard]] constexpr uint32_t axis(uint32_t k) const { return (code_ >> (3 * k)) & 3u; }
   [[nodiscard]] constexpr bool is_negative(uint32_t k) const { return ((code_ >> (3 * k + 2)) & 1u) != 0; }
   [[nodiscard]] constexpr uint16_t code() const { return code_; }

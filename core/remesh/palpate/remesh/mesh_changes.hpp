@@ -76,8 +76,8 @@ class MeshChanges {
     for (const uint32_t i : bounded<kLooks>(wanted.count, [] {})) {
       if (left.patches.left() == 0) break;
       const uint16_t tet = wanted.tet[i];
-      if (!forest_.tet[tet].is_leaf) continue;  // split by an earlier patch
-      urgencies_.split_at = static_cast<uint16_t>(forest_.tet[tet].link + 1);
+      if (!forest_.tet[tet].is_leaf()) continue;  // split by an earlier patch
+      urgencies_.split_at = static_cast<uint16_t>(forest_.tet[tet].link() + 1);
       if (!split_towards(tet, left)) break;
     }
     counters_.leaves_waiting = static_cast<uint16_t>(waiting_.all);
@@ -132,7 +132,7 @@ class MeshChanges {
     bool stays = true;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const Leaf& leaf = forest_.leaf_of(patch.tet[i]);
-      stays = stays && leaf.level < rules_.levels[leaf.region].most;
+      stays = stays && leaf.level() < rules_.levels[leaf.region()].most;
     }
     return stays;
   }
@@ -213,10 +213,9 @@ class MeshChanges {
 
   /// The parents around a tethered node; false when one of their children was split.
   [[nodiscard]] bool find_patch_around(const Tether& tether, Patch& patch) const {
-    if (!forest_.pairs.is_live(static_cast<uint16_t>(tether.tet >> 1)) || forest_.tet[tether.tet].is_leaf)
-      return false;
+    if (!forest_.pairs.is_live(tether.tet >> 1) || forest_.tet[tether.tet].is_leaf()) return false;
     const uint16_t child = forest_.child(tether.tet, 0);
-    if (!forest_.tet[child].is_leaf || middle_node(forest_.leaf_of(child)) != tether.node) return false;
+    if (!forest_.tet[child].is_leaf() || middle_node(forest_.leaf_of(child)) != tether.node) return false;
     return find_merge(forest_, child, patch) == MeshStatus::kDone;
   }
 
@@ -227,8 +226,8 @@ class MeshChanges {
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       for (const uint32_t which : bounded<2>(2, [] {})) {
         const Leaf& leaf = forest_.leaf_of(forest_.child(patch.tet[i], which));
-        const uint8_t group_level = forest_.tet[front_.tet[leaf.group]].level;
-        may = may && urgencies_.of[leaf.tet] <= most_urgent && group_level < leaf.level &&
+        const uint8_t group_level = forest_.level_of(front_.tet[leaf.group]);
+        may = may && urgencies_.of[leaf.tet] <= most_urgent && group_level < leaf.level() &&
               !touches(leaf, pinned_);
       }
     }
@@ -241,7 +240,7 @@ class MeshChanges {
   /// and let go for ever.
   [[nodiscard]] bool restores_above(StretchMeasure limit, const Patch& patch, const EdgeEnds& ends) const {
     if (rules_.criterion != StretchCriterion::kLongestEdge) return false;
-    return refinement_edge_stretch(forest_.node, ends, forest_.tet[patch.tet[0]].level) > limit;
+    return refinement_edge_stretch(forest_.node, ends, forest_.level_of(patch.tet[0])) > limit;
   }
 
   /// Starts to draw the middle nodes of calm patches.
@@ -254,7 +253,7 @@ class MeshChanges {
       if (looks.left() == 0) return;
       const Leaf& leaf = forest_.leaf[urgencies_.merge_at];
       ++urgencies_.merge_at;
-      if (urgencies_.of[leaf.tet] != Urgency::kCalm || leaf.level == 0) continue;
+      if (urgencies_.of[leaf.tet] != Urgency::kCalm || leaf.level() == 0) continue;
       for ([[maybe_unused]] const uint32_t look : looks.take(0, 1)) draw(leaf);
     }
   }

@@ -58,8 +58,8 @@ class RotationChanges {
   [[nodiscard]] bool is_conforming() const {
     return Profile::kStudyCriteria && has_conforming_front(rules_.criterion);
   }
-  [[nodiscard]] uint8_t level_of(uint16_t group) const { return forest_.tet[front_.tet[group]].level; }
-  [[nodiscard]] bool is_leaf(uint16_t group) const { return forest_.tet[front_.tet[group]].is_leaf; }
+  [[nodiscard]] uint8_t level_of(uint16_t group) const { return forest_.level_of(front_.tet[group]); }
+  [[nodiscard]] bool is_leaf(uint16_t group) const { return forest_.tet[front_.tet[group]].is_leaf(); }
 
   /// A pair whose misfits grew meanwhile parts. Pairs of a conforming front began with their whole patch, and
   /// end with it. From the last group down, since a join puts the last one into the place of the one that

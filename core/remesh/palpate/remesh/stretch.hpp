@@ -65,14 +65,14 @@ StretchMeasure refinement_edge_stretch(const NodeState<Capacity>& node, const Ed
 
 template <class Profile>
 StretchMeasure longest_edge_stretch(const Forest<Profile>& forest, const Leaf& leaf) {
-  return refinement_edge_stretch(forest.node, refinement_edge(leaf), leaf.level);
+  return refinement_edge_stretch(forest.node, refinement_edge(leaf), leaf.level());
 }
 
 /// The largest of all six edges.
 template <class Profile>
 StretchMeasure largest_edge_stretch(const Forest<Profile>& forest, const Leaf& leaf) {
-  const auto& inverses = stretch_detail::kInverses[static_cast<uint32_t>(type_of_level(leaf.level))];
-  const uint32_t size = size_of_level(leaf.level);
+  const auto& inverses = stretch_detail::kInverses[static_cast<uint32_t>(type_of_level(leaf.level()))];
+  const uint32_t size = size_of_level(leaf.level());
   StretchMeasure largest = StretchMeasure::from_raw(0);
   for (const uint32_t edge : bounded<6>(6, [] {})) {
     const uint8_t* ends = stretch_detail::kEdges[edge];
@@ -89,9 +89,9 @@ Matrix3<Q<6, 25>> cauchy_green(const Forest<Profile>& forest, const Leaf& leaf) 
   const auto& x = forest.node.position;
   uint32_t clamped = 0;
   const DeformationGradient f =
-      deformation_gradient(edge_vectors(type_of_level(leaf.level), x[leaf.node[0]], x[leaf.node[1]],
+      deformation_gradient(edge_vectors(type_of_level(leaf.level()), x[leaf.node[0]], x[leaf.node[1]],
                                         x[leaf.node[2]], x[leaf.node[3]]),
-                           leaf.axes, leaf.level, clamped);
+                           leaf.axes(), leaf.level(), clamped);
   return narrow<Q<6, 25>>(f.transpose() * f);
 }
 

@@ -54,14 +54,14 @@ template <class Profile>
 uint8_t urgency_of(const Forest<Profile>& forest, const Leaf& leaf, const StretchRules& rules,
                    uint16_t pinned, uint8_t before) {
   using Urgency = Urgencies<Profile>;
-  const LevelRange& levels = rules.levels[leaf.region];
-  const bool may_split = leaf.level < levels.most;
+  const LevelRange& levels = rules.levels[leaf.region()];
+  const bool may_split = leaf.level() < levels.most;
   if (touches(leaf, pinned)) {
     if (!may_split) return Urgency::kNeutral;
     return before == Urgency::kBarred ? Urgency::kWanted : Urgency::kMost;
   }
   const StretchMeasure stretch = stretch_measure(forest, leaf, rules.criterion);
-  if (stretch < rules.merge_below) return leaf.level > levels.least ? Urgency::kCalm : Urgency::kNeutral;
+  if (stretch < rules.merge_below) return leaf.level() > levels.least ? Urgency::kCalm : Urgency::kNeutral;
   if (stretch <= rules.split_above || !may_split) return Urgency::kNeutral;
   if (before == Urgency::kBarred) return Urgency::kWanted;  // behind all others
   const uint32_t excess = class_of(static_cast<uint32_t>(stretch.raw())) -

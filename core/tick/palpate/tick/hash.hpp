@@ -25,7 +25,7 @@ void add_mesh(const Forest<Profile>& forest, StateHash& hash) {
     const Leaf& leaf = forest.leaf[i];
     for (const uint32_t j : bounded<4>(4, [] {})) hash.add(leaf.node[j] | uint32_t{leaf.neighbour[j]} << 16);
     hash.add(leaf.tet | uint32_t{leaf.group} << 16);
-    hash.add(leaf.axes.code() | uint32_t{leaf.level} << 16 | uint32_t{leaf.region} << 24);
+    hash.add(leaf.axes().code() | uint32_t{leaf.level()} << 16 | uint32_t{leaf.region()} << 24);
   }
 }
 
@@ -96,7 +96,7 @@ template <class Profile>
 void add_stage(const State<Profile>& state, const TickOutput& output, CoreStage stage, StateHash& hash) {
   switch (stage) {
     case CoreStage::kTouch:
-      hash.add(uint32_t{state.grasp.node.index} | uint32_t{state.grasp.node.generation} << 16);
+      hash.add(uint32_t{state.grasp.node});
       hash.add(state.grasp.offset);
       hash.add(state.driven.target);
       // A body without contact has the hashes that it had before there was any.

@@ -37,7 +37,7 @@ struct GroupRotations {
     }
     return static_cast<uint32_t>(joined_misfit(Q<4, 27>::from_raw(static_cast<int32_t>(halves_apart)),
                                                groups.misfit_left[group], groups.misfit_left[partner],
-                                               forest.tet[parent].level)
+                                               forest.level_of(parent))
                                      .raw());
   }
   [[nodiscard]] bool is_blending(uint16_t group) const { return groups.blend[group] > 0; }
@@ -62,7 +62,7 @@ struct GroupRotations {
 
   [[nodiscard]] Halves halves_of(uint16_t tet) const {
     const uint16_t group = group_in(tet);
-    if (forest.tet[front.tet[group]].level <= forest.tet[tet].level) return {group, group, true};
+    if (forest.level_of(front.tet[group]) <= forest.level_of(tet)) return {group, group, true};
     if (front.tet[group] != forest.child(tet, 0)) return {group, group, false};
     // Of a pair about to be joined the first holds their parent's rotation already.
     if (front.partner[group] != kNone) return {group, group, true};
@@ -87,7 +87,7 @@ struct GroupRotations {
     bool may = true;
     for (const uint32_t which : bounded<2>(2, [] {})) {
       const uint16_t child = forest.child(tet, which);
-      may = may && forest.tet[child].is_leaf && urgencies.of[child] == Urgencies<Profile>::kCalm;
+      may = may && forest.tet[child].is_leaf() && urgencies.of[child] == Urgencies<Profile>::kCalm;
     }
     return may;
   }

@@ -37,7 +37,7 @@ PALPATE_NOINLINE void touch(State<Profile>& state, const TickInput& input) {
   const Vector3<Position> tool = within_position_limit(input.tool);
   const bool was_held = state.grasp.holds();
   update_grasp(state.forest, tool, input.close_grasp && input.has_tool, state.model.grasp_reach, state.grasp);
-  state.driven.node = state.grasp.node.index;
+  state.driven.node = state.grasp.node;
   // Each within +-4 and +-8 edges: the sum fits Position.
   const Vector3<Position> goal = tool + state.grasp.offset;
   const Vector3<Position> target = within_position_limit(goal);
@@ -91,7 +91,7 @@ template <class Profile>
 PALPATE_NOINLINE void reaction(State<Profile>& state, const TickInput& input, const ClampCounters& before,
                                TickOutput& output) {
   const Vector3<Force> asked =
-      state.grasp.holds() ? state.forest.node.force[state.grasp.node.index] : state.contact.force;
+      state.grasp.holds() ? state.forest.node.force[state.grasp.node] : state.contact.force;
   output.reaction = asked;
   if (state.model.contact.is_on()) {
     output.reaction =

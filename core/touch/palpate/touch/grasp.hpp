@@ -7,12 +7,12 @@
 namespace palpate {
 
 struct Grasp {
-  Handle node;               // index kNone while nothing is held
+  uint16_t node;             // kNone while nothing is held; no merge removes it meanwhile
   Vector3<Position> offset;  // node minus tool when the grasp closed
   bool was_closed;           // a grasp closes on the button's edge, not on its level
 
-  static Grasp open() { return Grasp{Handle{kNone, 0}, zero_vector<Position>(), false}; }
-  [[nodiscard]] bool holds() const { return node.index != kNone; }
+  static Grasp open() { return Grasp{kNone, zero_vector<Position>(), false}; }
+  [[nodiscard]] bool holds() const { return node != kNone; }
 };
 
 /// The live node nearest to `tool` and no farther than `reach` (0 .. 4 edges), or kNone. Ties: the first live
@@ -40,11 +40,11 @@ void update_grasp(const Forest<Profile>& forest, const Vector3<Position>& tool, 
   const bool closes = close && !grasp.was_closed;
   const bool opens = !close || (grasp.holds() && !forest.nodes.is_live(grasp.node));
   grasp.was_closed = close;
-  if (opens) grasp.node = Handle{kNone, 0};
+  if (opens) grasp.node = kNone;
   if (!closes) return;
   const uint16_t node = nearest_node(forest, tool, reach);
   if (node == kNone) return;
-  grasp.node = forest.nodes.handle(node);
+  grasp.node = node;
   grasp.offset = forest.node.position[node] - tool;
 }
 

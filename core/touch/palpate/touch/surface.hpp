@@ -30,7 +30,7 @@ inline bool is_mirrored(Axes axes) {
 inline FaceNodes face_nodes(const Leaf& leaf, uint32_t face) {
   constexpr uint8_t kPlaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   const uint8_t* place = kPlaces[face];
-  const bool swap = is_mirrored(leaf.axes);
+  const bool swap = is_mirrored(leaf.axes());
   return FaceNodes{leaf.node[place[0]], leaf.node[place[swap ? 2 : 1]], leaf.node[place[swap ? 1 : 2]]};
 }
 
