@@ -8,7 +8,7 @@
 
 namespace palpate {
 
-/// 0 .. 16, LSB 2^-27.
+/// 0 .. 16, of an edge at most 15; LSB 2^-27.
 using StretchMeasure = Q<4, 27>;
 
 /// (h / l0)^2 of an edge, a quarter of it.
@@ -42,8 +42,8 @@ constexpr uint32_t shifted_down(uint64_t x, uint32_t shift) {
 
 }  // namespace stretch_detail
 
-/// (l / l0)^2 - 1 of the edge between two nodes; 0 when it is shorter than at rest, and saturated. h =
-/// 2^-size.
+/// (l / l0)^2 - 1 of the edge between two nodes; 0 when it is shorter than at rest, 15 when it is longer than
+/// 4 l0. h = 2^-size.
 template <uint16_t Capacity>
 StretchMeasure edge_stretch(const NodeState<Capacity>& node, uint16_t a, uint16_t b, uint32_t size,
                             InverseSquare inverse) {
