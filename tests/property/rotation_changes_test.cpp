@@ -161,6 +161,43 @@ TEST(RotationChanges, ABudgetThatIsJustEnoughIsNotNamed) {
   EXPECT_EQ(state->waiting, 0u);
 }
 
+/// A tick looks at a slice of the front for pairs, and in kPairTicks at all of it.
+struct FourPairs : Ample {
+  static constexpr uint16_t kGroups = 64;
+};
+uint32_t groups_in_pairs(const State<FourPairs>& state) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < state.front.groups.used(); ++i) {
+    count += state.front.partner[state.front.groups.live(i)] != kNone ? 1u : 0u;
+  }
+  return count;
+}
+void wake_calm(State<FourPairs>& state) {
+  for (uint32_t i = 0; i < state.front.groups.used(); ++i) {
+    state.groups.blend[state.front.groups.live(i)] = 0;
+    state.groups.misfit[state.front.groups.live(i)] = Misfit::from_raw(0);
+    state.groups.misfit_left[state.front.groups.live(i)] = Misfit::from_raw(0);
+  }
+}
+TEST(RotationChanges, CalmPairsBeginAndEndWithinATurn) {
+  const auto state = started<FourPairs>(compile_model(fixed_bar(RotationCriterion::kMisfit, 4)));
+  make_the_last_one_worst(*state);
+  change_fronts(*state);
+  ASSERT_EQ(state->front.groups.used(), 36);
+  wake_calm(*state);
+  change_fronts(*state);
+  EXPECT_GT(groups_in_pairs(*state), 0u);
+  EXPECT_LE(groups_in_pairs(*state), 2 * 64 / kPairTicks);
+  for (uint32_t tick = 0; tick < kPairTicks; ++tick) change_fronts(*state);
+  EXPECT_EQ(groups_in_pairs(*state), 36u);
+  wake_calm(*state);
+  // A pair may miss its turn, when the group that it is known by moves.
+  for (uint32_t tick = 0; tick < 2 * kPairTicks; ++tick) change_fronts(*state);
+  EXPECT_EQ(state->front.groups.used(), 18);
+  EXPECT_EQ(state->remesh.groups_joined, 18u);
+  EXPECT_EQ(check_front(state->forest, state->front), FrontViolation::kNothing);
+}
+
 /// With full corotation every leaf has its own rotation, unless it is about to be merged, and the mesh goes
 /// down and up again.
 TEST(RotationChanges, FullCorotationFollowsTheMesh) {

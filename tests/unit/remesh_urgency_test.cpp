@@ -19,6 +19,15 @@ class MostUrgentLeaves : public testing::Test {
     urgencies_->clear();
   }
   uint8_t& urgency(uint32_t leaf) { return urgencies_->of[forest_->leaf[leaf].tet]; }
+  /// In the order of the search, from a tet on.
+  [[nodiscard]] std::vector<uint16_t> leaf_tets_from(uint16_t first) const {
+    std::vector<uint16_t> tets;
+    for (uint32_t i = 0; i < forest_->leaf_count; ++i) {
+      if (forest_->leaf[i].tet >= first) tets.push_back(forest_->leaf[i].tet);
+    }
+    std::sort(tets.begin(), tets.end());
+    return tets;
+  }
 
   std::unique_ptr<Forest<Bar>> forest_ = roots_of<Bar>(bar_block());
   std::unique_ptr<Urgency> urgencies_ = std::make_unique<Urgency>();
@@ -32,13 +41,13 @@ TEST_F(MostUrgentLeaves, AreTheMostUrgentInOrder) {
   const Waiting waiting = find_most_urgent(*forest_, *urgencies_, kNobody, wanted_);
   EXPECT_EQ(waiting.all, forest_->leaf_count);
   EXPECT_EQ(waiting.blocked, 0u);
-  ASSERT_EQ(wanted_.count, Wanted::kLooks);
+  ASSERT_EQ(wanted_.count(), Wanted::kLooks);
   std::vector<uint8_t> all;
   for (uint32_t i = 0; i < forest_->leaf_count; ++i) all.push_back(urgency(i));
   std::sort(all.rbegin(), all.rend());
   for (uint32_t i = 0; i < Wanted::kLooks; ++i) {
-    EXPECT_EQ(wanted_.urgency[i], all[i]);
-    EXPECT_EQ(urgencies_->of[wanted_.tet[i]], all[i]);
+    EXPECT_EQ(wanted_.urgency(i), all[i]);
+    EXPECT_EQ(urgencies_->of[wanted_.tet(i)], all[i]);
   }
 }
 
@@ -49,26 +58,46 @@ TEST_F(MostUrgentLeaves, AreNeitherAsleepNorBlocked) {
   const Waiting waiting = find_most_urgent(*forest_, *urgencies_, is_second, wanted_);
   EXPECT_EQ(waiting.all, 4u);
   EXPECT_EQ(waiting.blocked, 2u);
-  ASSERT_EQ(wanted_.count, 2u);
-  EXPECT_EQ(wanted_.tet[0], forest_->leaf[0].tet);
-  EXPECT_EQ(wanted_.tet[1], forest_->leaf[3].tet);
+  ASSERT_EQ(wanted_.count(), 2u);
+  EXPECT_EQ(wanted_.tet(0), forest_->leaf[0].tet);
+  EXPECT_EQ(wanted_.tet(1), forest_->leaf[3].tet);
 }
 
 TEST_F(MostUrgentLeaves, TakeTurnsWhenTheyAreEquallyUrgent) {
   for (uint32_t i = 0; i < forest_->leaf_count; ++i) urgency(i) = Urgency::kWanted;
-  urgencies_->split_at = 100;
+  urgencies_->split_at = 25;
   (void)find_most_urgent(*forest_, *urgencies_, kNobody, wanted_);
-  for (uint32_t i = 0; i < Wanted::kLooks; ++i) EXPECT_EQ(wanted_.tet[i], forest_->leaf[100 + i].tet);
+  const std::vector<uint16_t> tets = leaf_tets_from(4 * 25);
+  for (uint32_t i = 0; i < Wanted::kLooks; ++i) EXPECT_EQ(wanted_.tet(i), tets[i]);
+}
+
+/// However many are in the way: the search goes on where it ran out of looks.
+TEST_F(MostUrgentLeaves, AreFoundBehindBlockedOnes) {
+  ASSERT_EQ(refine_uniformly(*forest_, 6), MeshStatus::kDone);
+  for (uint32_t i = 0; i < forest_->leaf_count; ++i) urgency(i) = Urgency::kMost;
+  const uint16_t last = leaf_tets_from(0).back();
+  const auto is_not_last = [&](const Leaf& leaf) { return leaf.tet == last ? 0u : 1u; };
+  uint32_t ticks = 0;
+  for (; wanted_.count() == 0 && ticks < 16; ++ticks) {
+    const Waiting waiting = find_most_urgent(*forest_, *urgencies_, is_not_last, wanted_);
+    EXPECT_EQ(waiting.all, forest_->leaf_count);
+    EXPECT_LT(waiting.blocked, waiting.all);
+  }
+  ASSERT_EQ(wanted_.count(), 1u);
+  EXPECT_EQ(wanted_.tet(0), last);
+  EXPECT_GT(ticks, 1u);
+  EXPECT_LE(ticks, forest_->leaf_count / kMostLooks<Bar> + 1);
 }
 
 /// Each more urgent than all before it, which is as dear as it gets: the search ends, with the most urgent of
 /// those that it took.
 TEST_F(MostUrgentLeaves, AreFoundWithinTheBudgetOfOffers) {
-  for (uint32_t i = 0; i < 120; ++i) urgency(i) = static_cast<uint8_t>(Urgency::kWanted + i);
+  const std::vector<uint16_t> tets = leaf_tets_from(0);
+  for (uint32_t i = 0; i < 120; ++i) urgencies_->of[tets[i]] = static_cast<uint8_t>(Urgency::kWanted + i);
   const Waiting waiting = find_most_urgent(*forest_, *urgencies_, kNobody, wanted_);
   EXPECT_EQ(waiting.all, 120u);
-  EXPECT_EQ(wanted_.count, Wanted::kLooks);
-  EXPECT_EQ(wanted_.urgency[0], Urgency::kWanted + 8 * Wanted::kLooks - 1);
+  EXPECT_EQ(wanted_.count(), Wanted::kLooks);
+  EXPECT_EQ(wanted_.urgency(0), Urgency::kWanted + 8 * Wanted::kLooks - 1);
 }
 
 }  // namespace

@@ -91,26 +91,32 @@ class MeshWishes {
     for (uint32_t i = 0; i < forest_.leaf_count; ++i) urgency(forest_.leaf[i].tet) = Urgency::kWanted;
   }
 
-  /// The search begins behind one of the most urgent leaves, where it is longest until it meets another. On
+  /// The search begins behind some of the most urgent leaves, where it is longest until it meets others. On
   /// its way each leaf is more urgent than those before, until there are only offers left for the most urgent
-  /// ones.
+  /// ones, or blocked by a tether, which is seen when it is looked at.
   void meet_worst_last() {
     constexpr uint32_t kOffers = 7 * MostUrgent<Profile>::kLooks;
     static_assert(Urgency::kWanted + kOffers < kLastOnes);
-    const uint32_t count = forest_.leaf_count;
+    constexpr uint32_t kFours = Urgency::kFours;
     uint32_t longest = 0;
     uint32_t since = 0;  // the last of the most urgent
-    for (uint32_t i = 0; i < 2 * count; ++i, ++since) {
-      if (urgency(forest_.leaf[i % count].tet) < kLastOnes) continue;
+    for (uint32_t i = 0; i < 2 * kFours; ++i, ++since) {
+      if (FourUrgencies(state_.urgencies, i % kFours).reach(FourUrgencies::each(kLastOnes)) == 0) continue;
       if (since > longest)
-        state_.urgencies.split_at = static_cast<uint16_t>((i + 2 * count + 1 - since) % count);
+        state_.urgencies.split_at = static_cast<uint16_t>((i + 2 * kFours + 1 - since) % kFours);
       if (since > longest) longest = since;
       since = 0;
     }
     uint32_t offers = 0;
-    for (uint32_t i = 0; i < count && offers < kOffers; ++i) {
-      uint8_t& of = urgency(forest_.leaf[(state_.urgencies.split_at + i) % count].tet);
-      if (of == Urgency::kWanted) of = static_cast<uint8_t>(Urgency::kWanted + offers++);
+    for (uint32_t i = 0; i < 4 * kFours; ++i) {
+      uint8_t& of = state_.urgencies.of[(4u * state_.urgencies.split_at + i) % (4 * kFours)];
+      if (of != Urgency::kWanted) continue;
+      const auto tet = static_cast<uint16_t>(&of - state_.urgencies.of.data());
+      if (is_tethered(refinement_edge(forest_.leaf_of(tet)))) {
+        of = Urgency::kMost;
+      } else if (offers < kOffers) {
+        of = static_cast<uint8_t>(Urgency::kWanted + offers++);
+      }
     }
   }
   /// Half of the patches whose tethers end may be merged, as far as the budget goes. Returns how many.

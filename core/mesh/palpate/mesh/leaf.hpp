@@ -60,13 +60,6 @@ inline uint32_t child_towards(const Leaf& leaf, uint8_t level) {
   return (leaf.path() >> (leaf.level() - level - 1)) & 1u;
 }
 
-/// Place (0 .. 3) of a node in a leaf; the node must be one of its vertices.
-inline uint32_t place_of_node(const Leaf& leaf, uint16_t node) {
-  check(leaf.node[0] == node || leaf.node[1] == node || leaf.node[2] == node || leaf.node[3] == node,
-        "a node is not where its neighbour expects it");
-  return leaf.node[0] == node ? 0u : leaf.node[1] == node ? 1u : leaf.node[2] == node ? 2u : 3u;
-}
-
 /// Face (0 .. 3) that a leaf shares with a neighbouring tet.
 inline uint32_t face_towards(const Leaf& leaf, uint16_t tet) {
   return leaf.neighbour[0] == tet ? 0u : leaf.neighbour[1] == tet ? 1u : leaf.neighbour[2] == tet ? 2u : 3u;

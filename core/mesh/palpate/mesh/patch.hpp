@@ -9,6 +9,7 @@
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
+#include "palpate/numeric/all_of.hpp"
 
 namespace palpate {
 
@@ -40,12 +41,14 @@ EdgeEnds restored_edge(const Forest<Profile>& forest, uint16_t parent) {
                   forest.leaf_of(forest.child(parent, 1)).node[end - 1]};
 }
 
-/// Where a walk around an edge goes on: in `leaf`, entered through `entry_face`, the face opposite the fourth
-/// vertex.
-inline uint32_t exit_around_edge(const Leaf& leaf, uint16_t end0, uint16_t end1, uint32_t entry_face) {
-  constexpr uint32_t kSumOfPlaces = 0 + 1 + 2 + 3;
+/// Where a walk around an edge goes on: the face of `leaf` that holds the edge and is not the one towards the
+/// tet that it comes from.
+inline uint32_t exit_around_edge(const Leaf& leaf, uint16_t end0, uint16_t end1, uint16_t from) {
+  const auto is_exit = [&](uint32_t face) {
+    return all_of(leaf.node[face] != end0, leaf.node[face] != end1, leaf.neighbour[face] != from) ? 1u : 0u;
+  };
   constexpr uint32_t kAPlace = 3;  // for a broken mesh, until it is found to be one
-  return (kSumOfPlaces - place_of_node(leaf, end0) - place_of_node(leaf, end1) - entry_face) & kAPlace;
+  return (is_exit(1) + 2 * is_exit(2) + 3 * is_exit(3)) & kAPlace;
 }
 
 /// Collects into patch.tet the leaves around the edge (end0, end1) of leaf tet `start`, which has it between
@@ -63,7 +66,7 @@ template <class Profile, class Accepts>
   bool second_way = false;
   for ([[maybe_unused]] const uint32_t step : bounded<kMaxPatch + 1>(kMaxPatch + 1, [] {})) {
     const uint16_t next = forest.leaf_of(from).neighbour[exit];
-    if (next == start || (next == kNone && second_way)) return MeshStatus::kDone;
+    if (any_of(next == start, all_of(next == kNone, second_way))) return MeshStatus::kDone;
     if (next == kNone) {
       second_way = true;
       from = start;
@@ -73,13 +76,13 @@ template <class Profile, class Accepts>
     const Leaf& leaf = forest.leaf_of(next);
     const bool is_full = patch.count == kMaxPatch;
     check(!is_full || !accepts(leaf), "a patch has more than kMaxPatch tets");
-    if (is_full || !accepts(leaf)) {
+    if (any_of(is_full, !accepts(leaf))) {
       patch.blocker = next;
       return MeshStatus::kNotReady;
     }
     patch.tet[patch.count] = next;
     ++patch.count;
-    exit = exit_around_edge(leaf, end0, end1, face_towards(leaf, from));
+    exit = exit_around_edge(leaf, end0, end1, from);
     from = next;
   }
   check(false, "the walk around an edge did not close");
@@ -93,11 +96,12 @@ template <class Profile>
   const Leaf& first = forest.leaf_of(start);
   if (first.level() >= Profile::kMaxLevel) return MeshStatus::kLevelLimit;
   const EdgeEnds edge = refinement_edge(first);
-  return walk_around_edge(
-      forest, start, refinement_end(type_of_level(first.level())), patch, [=](const Leaf& leaf) {
-        const EdgeEnds other = refinement_edge(leaf);
-        return (other[0] == edge[0] && other[1] == edge[1]) || (other[0] == edge[1] && other[1] == edge[0]);
-      });
+  return walk_around_edge(forest, start, refinement_end(type_of_level(first.level())), patch,
+                          [=](const Leaf& leaf) {
+                            const EdgeEnds other = refinement_edge(leaf);
+                            return any_of(all_of(other[0] == edge[0], other[1] == edge[1]),
+                                          all_of(other[0] == edge[1], other[1] == edge[0]));
+                          });
 }
 
 /// The patch to bisect next so that leaf tet `wanted` can be bisected: its own if ready, else a coarser one
@@ -136,7 +140,7 @@ template <class Profile>
   const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(level - 1)));
   const uint16_t middle = middle_node(forest.leaf_of(first));
   const MeshStatus status = walk_around_edge(forest, first, end, patch, [=](const Leaf& leaf) {
-    return leaf.level() == level && leaf.node[end] == middle;
+    return all_of(leaf.level() == level, leaf.node[end] == middle);
   });
   if (status != MeshStatus::kDone) return MeshStatus::kNotMergeable;
   for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {

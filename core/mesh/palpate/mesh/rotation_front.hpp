@@ -37,6 +37,7 @@ struct RotationFront {
   // Of each node, scratch: the group that named it last, while node_order is made; its place in the list of
   // the group whose forces are computed.
   std::array<uint32_t, Profile::kNodes> mark;
+  uint16_t pairs_at;  // of groups, the place where the looks at pairs go on
 };
 
 /// Whether a group's tet is the second child of its parent.
@@ -65,59 +66,69 @@ template <class Profile>
   return tet;
 }
 
-/// The second half of index_groups: the nodes of each group, in the order in which its leaves name them.
+/// The first half of index_groups: the leaves of each group, in their order.
 template <class Profile>
-void index_nodes(const Forest<Profile>& forest, RotationFront<Profile>& front) {
-  for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
-    front.mark[forest.nodes.live(i)] = kNone;
-  }
-  auto leaves = bounded_total<Profile::kLeaves>([] {});
-  uint16_t end = 0;
+PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<Profile>& front) {
+  std::array<uint32_t, Profile::kGroups> at;  // of each group: how many leaves, then where its next one goes
+  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) at[front.groups.live(i)] = 0;
+#pragma GCC unroll 4
+  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) ++at[forest.leaf[i].group];
+  uint32_t begin = 0;
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
-    const uint16_t begin = end;
+    const uint32_t count = at[group];
+    front.leaves[group] = Span{static_cast<uint16_t>(begin), static_cast<uint16_t>(count)};
+    at[group] = begin;
+    begin += count;
+  }
+#pragma GCC unroll 4
+  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
+    uint32_t& next = at[forest.leaf[i].group];
+    front.leaf_order[next] = static_cast<uint16_t>(i);
+    ++next;
+  }
+}
+
+/// The second half: the nodes of each group, in the order in which its leaves name them.
+template <class Profile>
+PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<Profile>& front) {
+  uint32_t* const last_group = front.mark.data();
+#pragma GCC unroll 8
+  for (const uint32_t i : bounded<Profile::kNodes>(Profile::kNodes, [] {})) last_group[i] = kNone;
+  auto leaves = bounded_total<Profile::kLeaves>([] {});
+  uint16_t* end = front.node_order.data();
+  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
+    const uint32_t group = front.groups.live(i);
+    const uint16_t* const begin = end;
     const Span span = front.leaves[group];
     for (const uint32_t at : leaves.take(span.begin, span.count)) {
+      // All is loaded before anything is stored.
       const std::array<uint16_t, 4>& node = forest.leaf[front.leaf_order[at]].node;
-      // 1 for one that is new in this group, without a branch; all before anything is stored.
-      const auto is_new = [&](uint32_t j) { return ((front.mark[node[j]] ^ group) + 0xffffu) >> 16; };
-      const std::array<uint32_t, 4> added = {is_new(0), is_new(1), is_new(2), is_new(3)};
+      const uint16_t node0 = node[0], node1 = node[1], node2 = node[2], node3 = node[3];
+      // 1 for one that is new in this group, without a branch.
+      const auto is_new = [&](uint16_t which) { return ((last_group[which] ^ group) + 0xffffu) >> 16; };
+      const uint32_t added0 = is_new(node0), added1 = is_new(node1), added2 = is_new(node2),
+                     added3 = is_new(node3);
       // Written in any case, and overwritten unless it is new.
-      const auto add = [&](uint32_t j) {
-        front.node_order[end] = node[j];
-        end = static_cast<uint16_t>(end + added[j]);
-        front.mark[node[j]] = group;
+      const auto add = [&](uint16_t which, uint32_t added) {
+        *end = which;
+        end += added;
+        last_group[which] = group;
       };
-      add(0);
-      add(1);
-      add(2);
-      add(3);
+      add(node0, added0);
+      add(node1, added1);
+      add(node2, added2);
+      add(node3, added3);
     }
-    front.nodes[group] = Span{begin, static_cast<uint16_t>(end - begin)};
+    front.nodes[group] =
+        Span{static_cast<uint16_t>(begin - front.node_order.data()), static_cast<uint16_t>(end - begin)};
   }
 }
 
 /// Rebuilds the lists of all groups from Leaf::group. O(leaves + nodes + groups).
 template <class Profile>
 void index_groups(const Forest<Profile>& forest, RotationFront<Profile>& front) {
-  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
-    front.leaves[front.groups.live(i)] = Span{0, 0};
-  }
-  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    ++front.leaves[forest.leaf[i].group].count;
-  }
-  uint16_t begin = 0;
-  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
-    Span& span = front.leaves[front.groups.live(i)];
-    const uint16_t count = span.count;
-    span = Span{begin, 0};
-    begin = static_cast<uint16_t>(begin + count);
-  }
-  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    Span& span = front.leaves[forest.leaf[i].group];
-    front.leaf_order[span.begin + span.count] = static_cast<uint16_t>(i);
-    ++span.count;
-  }
+  index_leaves(forest, front);
   index_nodes(forest, front);
 }
 
@@ -126,6 +137,7 @@ void index_groups(const Forest<Profile>& forest, RotationFront<Profile>& front) 
 template <class Profile>
 [[nodiscard]] bool make_groups(Forest<Profile>& forest, RotationFront<Profile>& front, uint8_t level) {
   front.groups.clear();
+  front.pairs_at = 0;
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
     const uint16_t tet = ancestor_at(forest, forest.leaf[i].tet, level);
     if (first_leaf(forest, tet) != forest.leaf[i].tet) continue;
@@ -158,9 +170,12 @@ template <class Profile, class Total>
   front.partner[added] = kNone;
   front.leaves[added] = Span{0, 0};
   front.nodes[added] = Span{0, 0};
-  for (const uint32_t at : leaves.take(front.leaves[group].begin, front.leaves[group].count)) {
+  const uint8_t level = forest.level_of(tet);
+  const Span span = front.leaves[group];
+#pragma GCC unroll 4
+  for (const uint32_t at : leaves.take(span.begin, span.count)) {
     Leaf& leaf = forest.leaf[front.leaf_order[at]];
-    if (child_towards(leaf, forest.level_of(tet)) == 1) leaf.group = added;
+    leaf.group = child_towards(leaf, level) == 1 ? added : group;
   }
   return added;
 }
@@ -169,7 +184,8 @@ template <class Profile, class Total>
 template <class Profile, class Total>
 void join_groups(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_t group, uint16_t gone,
                  Total& leaves) {
-  for (const uint32_t at : leaves.take(front.leaves[gone].begin, front.leaves[gone].count)) {
+  const Span span = front.leaves[gone];
+  for (const uint32_t at : leaves.take(span.begin, span.count)) {
     forest.leaf[front.leaf_order[at]].group = group;
   }
   front.tet[group] = forest.parent_of(front.tet[group]);

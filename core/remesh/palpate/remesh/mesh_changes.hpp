@@ -73,11 +73,11 @@ class MeshChanges {
         forest_, urgencies_, [this](const Leaf& leaf) { return tethered(refinement_edge(leaf)); }, wanted);
     SplitBudget left{bounded_total<kSteps>(StepsTotal{}), bounded_total<Profile::kPatches>(SplitsTotal{}),
                      Profile::kTetsSplit};
-    for (const uint32_t i : bounded<kLooks>(wanted.count, [] {})) {
+    for (const uint32_t i : bounded<kLooks>(wanted.count(), [] {})) {
       if (left.patches.left() == 0) break;
-      const uint16_t tet = wanted.tet[i];
+      const uint16_t tet = wanted.tet(i);
       if (!forest_.tet[tet].is_leaf()) continue;  // split by an earlier patch
-      urgencies_.split_at = static_cast<uint16_t>(forest_.tet[tet].link() + 1);
+      urgencies_.split_at = static_cast<uint16_t>(tet / 4 + 1);
       if (!split_towards(tet, left)) break;
     }
     counters_.leaves_waiting = static_cast<uint16_t>(waiting_.all);
@@ -132,7 +132,7 @@ class MeshChanges {
     bool stays = true;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const Leaf& leaf = forest_.leaf_of(patch.tet[i]);
-      stays = stays && leaf.level() < rules_.levels[leaf.region()].most;
+      stays = all_of(stays, leaf.level() < rules_.levels[leaf.region()].most);
     }
     return stays;
   }
@@ -147,6 +147,7 @@ class MeshChanges {
       const uint8_t urgency = urgencies_.of[patch.tet[i]];
       waiting_.all -= urgency >= Urgency::kWanted ? 1u : 0u;
       waiting_.blocked -= urgency > Urgency::kMost ? 1u : 0u;
+      urgencies_.of[patch.tet[i]] = Urgency::kNeutral;
       urgencies_.of[forest_.child(patch.tet[i], 0)] = Urgency::kNeutral;
       urgencies_.of[forest_.child(patch.tet[i], 1)] = Urgency::kNeutral;
     }
@@ -227,8 +228,8 @@ class MeshChanges {
       for (const uint32_t which : bounded<2>(2, [] {})) {
         const Leaf& leaf = forest_.leaf_of(forest_.child(patch.tet[i], which));
         const uint8_t group_level = forest_.level_of(front_.tet[leaf.group]);
-        may = may && urgencies_.of[leaf.tet] <= most_urgent && group_level < leaf.level() &&
-              !touches(leaf, pinned_);
+        may = all_of(may, urgencies_.of[leaf.tet] <= most_urgent, group_level < leaf.level(),
+                     !touches(leaf, pinned_));
       }
     }
     return may;

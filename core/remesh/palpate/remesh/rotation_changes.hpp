@@ -1,8 +1,10 @@
 // Changes of the rotation front in one tick: pairs that have blended to their parent's rotation are joined,
-// the worst groups are split, calm pairs start to blend. A group sleeps while it blends.
+// the worst groups are split, calm pairs start to blend. A group sleeps while it blends. For pairs a tick
+// looks at a slice of the groups.
 //
 // Misfits are judged group by group. With the other criteria the front conforms: all tets around an edge are
-// split, begin to join, part and are joined in the same tick (front_patch.hpp).
+// split, begin to join, part and are joined in the same tick (front_patch.hpp), so a tick looks at all
+// groups.
 //
 // `Rotations` is what elasticity knows and does; a struct with
 //   uint32_t split_measure(group)             how much is wrong with the group as it is; larger is worse
@@ -21,6 +23,9 @@
 #include "palpate/remesh/worst_first.hpp"
 
 namespace palpate {
+
+/// Ticks to look at all groups for pairs. Misfits are not renewed more often.
+inline constexpr uint32_t kPairTicks = 8;
 
 template <class Profile, class Rotations>
 class RotationChanges {
@@ -49,10 +54,9 @@ class RotationChanges {
   struct LeavesTotal {};
   struct BegunTotal {};
   struct EndedTotal {};
-  struct TriesTotal {};
 
-  using Class = uint8_t;
-  static constexpr Class kNotWanted = 255;
+  static constexpr uint32_t kPairSlice = (Profile::kGroups + kPairTicks - 1) / kPairTicks;
+  static constexpr uint32_t kMostPairs = Profile::kStudyCriteria ? Profile::kGroups : kPairSlice;
 
   void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }
   [[nodiscard]] bool is_conforming() const {
@@ -61,15 +65,25 @@ class RotationChanges {
   [[nodiscard]] uint8_t level_of(uint16_t group) const { return forest_.level_of(front_.tet[group]); }
   [[nodiscard]] bool is_leaf(uint16_t group) const { return forest_.tet[front_.tet[group]].is_leaf(); }
 
+  /// How many groups a tick looks at for pairs, from pairs_at on.
+  [[nodiscard]] uint32_t pair_slice() const {
+    const uint32_t rest = static_cast<uint32_t>(front_.groups.used()) - front_.pairs_at;
+    return is_conforming() || rest < kPairSlice ? rest : kPairSlice;
+  }
+
   /// A pair whose misfits grew meanwhile parts. Pairs of a conforming front began with their whole patch, and
   /// end with it. From the last group down, since a join puts the last one into the place of the one that
-  /// goes.
+  /// goes; it may miss its turn.
   void end_joins() {
-    const uint32_t count = front_.groups.used();
-    for (const uint32_t i : bounded<Profile::kGroups>(count, [] {})) {
-      const uint16_t group = front_.groups.live(count - 1 - i);
+    if (is_conforming() || front_.pairs_at >= front_.groups.used()) front_.pairs_at = 0;
+    const uint32_t end = front_.pairs_at + pair_slice();
+    for (const uint32_t i : bounded<kMostPairs>(pair_slice(), [] {})) {
+      const uint32_t place = end - 1 - i;
+      if (place >= front_.groups.used()) continue;
+      const uint16_t group = front_.groups.live(place);
       const uint16_t partner = front_.partner[group];
-      if (partner == kNone || is_second_of_pair(front_, group) || rotations_.is_blending(group)) continue;
+      if (!all_of(partner != kNone, !is_second_of_pair(front_, group), !rotations_.is_blending(group)))
+        continue;
       if (ended_.left() == 0) return;
       for ([[maybe_unused]] const uint32_t once : ended_.take(0, 1)) end_join(group, partner);
     }
@@ -108,62 +122,79 @@ class RotationChanges {
     }
   }
 
-  [[nodiscard]] bool wants_split(uint16_t group) const {
-    return !is_leaf(group) && is_steady(group) && rotations_.split_measure(group) > rules_.split_above;
+  /// By how much it wants to be split.
+  [[nodiscard]] Rank rank(uint16_t group) const {
+    const bool may = all_of(!is_leaf(group), is_steady(group));
+    if constexpr (Profile::kStudyCriteria) {
+      if (!may) return kUnwanted;  // their measures are dear
+    }
+    const uint32_t measure = rotations_.split_measure(group);
+    return rank_of(measure, all_of(may, measure > rules_.split_above));
   }
 
-  /// The classes of the groups that want to be split.
-  [[nodiscard]] ClassCounts find_wanted() {
-    ClassCounts classes;
+  /// Ranks all groups by how much they want to be split.
+  [[nodiscard]] RankCounts find_wanted() {
+    RankCounts ranks;
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
-      wanted_[group] = kNotWanted;
-      if (!wants_split(group)) continue;
-      wanted_[group] = static_cast<Class>(class_of(rotations_.split_measure(group)));
-      classes.add(wanted_[group]);
+      wanted_[group] = rank(group);
+      ranks.add(wanted_[group]);
     }
-    return classes;
+    return ranks;
   }
 
   void split_worst() {
-    const ClassCounts classes = find_wanted();
-    const uint32_t wanted = classes.total();
+    const RankCounts ranks = find_wanted();
+    const uint32_t wanted = ranks.total();
     counters_.groups_waiting = static_cast<uint16_t>(wanted);
     if (wanted == 0) return;
     const auto room = static_cast<uint32_t>(Profile::kGroups - front_.groups.used());
-    const uint32_t each = is_conforming() ? kMaxPatch : 1;  // at most so many are split for one that wants it
-    const uint32_t lowest = classes.lowest_within((begun_.left() < room ? begun_.left() : room) / each);
-    auto tries = bounded_total<Profile::kGroups>(TriesTotal{});  // each group is of one class
-    (void)(split_classes(lowest + 1, kClasses, tries) && split_classes(lowest, lowest + 1, tries) &&
-           split_classes(0, lowest, tries));
+    const uint32_t budget = begun_.left() < room ? begun_.left() : room;
+    if (is_conforming()) return split_patches(ranks.lowest_within(budget / kMaxPatch).rank);
+    split_chosen(ranks.lowest_within(budget));
+    if (budget < wanted) (void)refuse_split();
   }
 
+  /// All above the lowest rank, and of that what there is room for.
+  void split_chosen(RankCounts::Lowest lowest) {
+    std::array<uint16_t, Profile::kRotationChanges + 1> chosen;  // the last one is scratch
+    uint32_t count = 0;
+    for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
+      const uint16_t group = front_.groups.live(i);
+      const uint32_t is_above = wanted_[group] > lowest.rank ? 1u : 0u;
+      const uint32_t fits = all_of(wanted_[group] == lowest.rank, lowest.room != 0) ? 1u : 0u;
+      lowest.room -= fits;
+      chosen[count] = group;  // in any case, and overwritten unless it is
+      count += is_above | fits;
+    }
+    for (const uint32_t i : bounded<Profile::kRotationChanges>(count, [] {})) (void)split_one(chosen[i]);
+  }
+
+  /// Conforming: for all above that rank, then at it, then below, as long as there is something left.
+  void split_patches(uint32_t rank) {
+    (void)(split_ranks(rank + 1, kClasses + 1) && split_ranks(rank, rank + 1) && split_ranks(1, rank));
+  }
   /// Those from `low` to below `end`. False when nothing more can be split in this tick.
-  template <class Total>
-  bool split_classes(uint32_t low, uint32_t end, Total& tries) {
+  bool split_ranks(uint32_t low, uint32_t end) {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
       if (wanted_[group] < low || wanted_[group] >= end) continue;
-      bool goes_on = true;
-      for ([[maybe_unused]] const uint32_t once : tries.take(0, 1)) goes_on = split_if_wanted(group);
-      if (!goes_on) return false;
+      if (rank(group) == kUnwanted) {
+        drop(group);  // its sibling was split: it has nothing left to differ from
+      } else if (!split_around(group)) {
+        return false;
+      }
     }
-    return true;
-  }
-  bool split_if_wanted(uint16_t group) {
-    if (wants_split(group)) return split_wanted(group);
-    drop(group);  // its sibling was split: it has nothing left to differ from
     return true;
   }
 
   void drop(uint16_t group) {
-    if (wanted_[group] != kNotWanted) --counters_.groups_waiting;
-    wanted_[group] = kNotWanted;
+    if (wanted_[group] != kUnwanted) --counters_.groups_waiting;
+    wanted_[group] = kUnwanted;
   }
 
-  /// False when nothing more can be split in this tick.
-  bool split_wanted(uint16_t group) {
-    if (!is_conforming()) return split_one(group);
+  /// The patch of a group, or a coarser one in its way. False when nothing more can be split in this tick.
+  bool split_around(uint16_t group) {
     FrontPatch patch{};
     uint16_t wanted = group;
     for ([[maybe_unused]] const uint32_t step : bounded<Profile::kMaxLevel>(Profile::kMaxLevel, [] {})) {
@@ -200,15 +231,20 @@ class RotationChanges {
     return false;
   }
 
-  bool split_one(uint16_t group) {
+  bool refuse_split() {
     if (begun_.left() == 0) return refuse(RemeshFlag::kRotationBudget);
+    (void)front_.groups.has_room(1);  // which counts it
+    return refuse(RemeshFlag::kGroups);
+  }
+
+  bool split_one(uint16_t group) {
+    if (begun_.left() == 0 || front_.groups.used() == Profile::kGroups) return refuse_split();
     if (front_.leaves[group].count > leaves_.left()) return false;
-    if (!front_.groups.has_room(1)) return refuse(RemeshFlag::kGroups);
     for ([[maybe_unused]] const uint32_t once : begun_.take(0, 1)) {
       const uint16_t added = split_group(forest_, front_, group, leaves_);
       rotations_.inherit(group, added);
       drop(group);
-      wanted_[added] = kNotWanted;
+      wanted_[added] = kUnwanted;
       ++counters_.groups_split;
       changed_ = true;
     }
@@ -225,36 +261,40 @@ class RotationChanges {
   }
 
   void begin_joins() {
-    for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
-      const uint16_t group = front_.groups.live(i);
-      if (!can_join(group)) continue;
-      const bool fits =
-          is_conforming() ? begin_patch(forest_.parent_of(front_.tet[group])) : begun_.left() > 0;
-      if (!fits) {
-        flag(RemeshFlag::kRotationBudget);
-        return;
-      }
-      if (!is_conforming()) begin_join(group);
+    if (front_.pairs_at >= front_.groups.used()) return;  // those were joined
+    for ([[maybe_unused]] const uint32_t i : bounded<kMostPairs>(pair_slice(), [] {})) {
+      const uint16_t group = front_.groups.live(front_.pairs_at);
+      const uint16_t other = calm_sibling(group);
+      if (other != kNone && !begin_around(group, other)) return flag(RemeshFlag::kRotationBudget);
+      ++front_.pairs_at;
     }
   }
+  /// False when the budget is used up.
+  bool begin_around(uint16_t group, uint16_t other) {
+    if (is_conforming()) return begin_patch(forest_.parent_of(front_.tet[group]));
+    if (begun_.left() == 0) return false;
+    begin_join(group, other);
+    return true;
+  }
 
-  /// Whether the group is a first child, and calm with its sibling.
-  [[nodiscard]] bool can_join(uint16_t group) const {
-    if (is_second_of_pair(front_, group) || level_of(group) <= rules_.start_level || !is_steady(group)) {
-      return false;
+  /// The sibling's group of a first child's one, where the two are calm; else kNone.
+  [[nodiscard]] uint16_t calm_sibling(uint16_t group) const {
+    if (!all_of(!is_second_of_pair(front_, group), level_of(group) > rules_.start_level, is_steady(group))) {
+      return kNone;
     }
     const uint16_t other = sibling_of(group);
-    return other != kNone && is_steady(other) && rotations_.join_measure(group, other) < rules_.join_below;
+    const bool are_calm =
+        other != kNone && is_steady(other) && rotations_.join_measure(group, other) < rules_.join_below;
+    return are_calm ? other : kNone;
   }
 
   [[nodiscard]] bool is_steady(uint16_t group) const {
-    return front_.partner[group] == kNone && !rotations_.is_blending(group);
+    return all_of(front_.partner[group] == kNone, !rotations_.is_blending(group));
   }
 
   /// The pair extracts its parent's rotation from now on, which counts as a change.
-  void begin_join(uint16_t group) {
+  void begin_join(uint16_t group, uint16_t other) {
     for ([[maybe_unused]] const uint32_t once : begun_.take(0, 1)) {
-      const uint16_t other = sibling_of(group);
       front_.partner[group] = other;
       front_.partner[other] = group;
       rotations_.blend(group);
@@ -270,12 +310,12 @@ class RotationChanges {
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const uint16_t group = first_group(patch.tet[i]);
       if (front_.tet[group] == patch.tet[i]) continue;
-      if (!is_first_child(group, patch.tet[i]) || !can_join(group)) return true;
+      if (!is_first_child(group, patch.tet[i]) || calm_sibling(group) == kNone) return true;
     }
     if (patch.count > begun_.left()) return false;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const uint16_t group = first_group(patch.tet[i]);
-      if (front_.tet[group] != patch.tet[i]) begin_join(group);
+      if (front_.tet[group] != patch.tet[i]) begin_join(group, sibling_of(group));
     }
     return true;
   }
@@ -295,7 +335,7 @@ class RotationChanges {
   decltype(bounded_total<Profile::kLeaves>(LeavesTotal{})) leaves_;
   decltype(bounded_total<Profile::kRotationChanges>(BegunTotal{})) begun_;  // splits and joins
   decltype(bounded_total<Profile::kRotationChanges>(EndedTotal{})) ended_;  // joins
-  std::array<Class, Profile::kGroups> wanted_;  // of each group in use, set by find_wanted
+  std::array<Rank, Profile::kGroups> wanted_;  // of each group in use, set by find_wanted
   uint32_t flags_ = 0;
   bool changed_ = false;
 };

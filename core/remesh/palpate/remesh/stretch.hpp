@@ -8,7 +8,7 @@
 
 namespace palpate {
 
-/// 0 .. 16, LSB 2^-27.
+/// 0 .. 16, of an edge at most 15; LSB 2^-27.
 using StretchMeasure = Q<4, 27>;
 
 /// (h / l0)^2 of an edge, a quarter of it.
@@ -31,29 +31,32 @@ inline constexpr InverseSquare kInverses[3][6] = {
 inline constexpr InverseSquare kInversesOfRefinementEdge[3] = {kInverses[0][2], kInverses[1][1],
                                                                kInverses[2][0]};
 
+/// x >> shift, rounded to nearest, for 1 <= shift <= 31; 2^31 - 1 when that is less. Without a branch.
+constexpr uint32_t shifted_down(uint64_t x, uint32_t shift) {
+  const auto high = static_cast<uint32_t>(x >> 32);
+  const auto low = static_cast<uint32_t>(x);
+  const uint32_t rounded = (high << (32 - shift) | low >> shift) + (low >> (shift - 1) & 1u);
+  const uint32_t too_high = high >> (shift - 1) | rounded >> 31;
+  return too_high == 0 ? rounded : 0x7fffffffu;
+}
+
 }  // namespace stretch_detail
 
-/// (l / l0)^2 - 1 of the edge between two nodes; 0 when it is shorter than at rest. h = 2^-size.
+/// (l / l0)^2 - 1 of the edge between two nodes; 0 when it is shorter than at rest, 15 when it is longer than
+/// 4 l0. h = 2^-size.
 template <uint16_t Capacity>
 StretchMeasure edge_stretch(const NodeState<Capacity>& node, uint16_t a, uint16_t b, uint32_t size,
                             InverseSquare inverse) {
-  // In units of h, within +-4.
-  using Length = Q<4, 27>;
-  constexpr int32_t kLimit = int32_t{4} << Length::kFractionBits;
-  const auto component = [&](Eigen::Index axis) {
-    const int32_t raw = node.position[a][axis].raw() - node.position[b][axis].raw();
-    const int32_t limit = kLimit >> size;
-    const int32_t low = raw < -limit ? -limit : raw;
-    const int32_t within = low > limit ? limit : low;
-    return Length::from_raw(static_cast<int32_t>(static_cast<uint32_t>(within) << size));
-  };
-  const Length x = component(0);
-  const Length y = component(1);
-  const Length z = component(2);
-  const auto square = narrow<Q<6, 25>>(x * x + y * y + z * z);  // (l / h)^2, at most 48
-  const Acc<54> ratio = Acc<54>::from_raw((square * inverse).raw());
-  const auto stretch = narrow_saturated<StretchMeasure>(ratio - widen<54>(StretchMeasure::ratio(1, 1)));
-  return stretch < StretchMeasure::from_raw(0) ? StretchMeasure::from_raw(0) : stretch;
+  const Position x = node.position[a][0] - node.position[b][0];  // within +-8
+  const Position y = node.position[a][1] - node.position[b][1];
+  const Position z = node.position[a][2] - node.position[b][2];
+  const auto square = static_cast<uint64_t>((x * x + y * y + z * z).raw());
+  // (l / h)^2 as Q<6, 25>; then (l / l0)^2, with 54 fraction bits since `inverse` is a quarter.
+  const uint32_t relative = stretch_detail::shifted_down(square, 29 - 2 * size);
+  const uint64_t ratio = uint64_t{relative} * static_cast<uint32_t>(inverse.raw());
+  constexpr uint32_t kOne = 1u << StretchMeasure::kFractionBits;
+  const uint32_t elongation = stretch_detail::shifted_down(ratio, 54 - StretchMeasure::kFractionBits);
+  return StretchMeasure::from_raw(static_cast<int32_t>(elongation < kOne ? 0u : elongation - kOne));
 }
 
 /// Of the edge that a bisection halves, of a tet at this level.
@@ -74,6 +77,7 @@ StretchMeasure largest_edge_stretch(const Forest<Profile>& forest, const Leaf& l
   const auto& inverses = stretch_detail::kInverses[static_cast<uint32_t>(type_of_level(leaf.level()))];
   const uint32_t size = size_of_level(leaf.level());
   StretchMeasure largest = StretchMeasure::from_raw(0);
+#pragma GCC unroll 6
   for (const uint32_t edge : bounded<6>(6, [] {})) {
     const uint8_t* ends = stretch_detail::kEdges[edge];
     const StretchMeasure stretch =

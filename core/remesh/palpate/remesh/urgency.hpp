@@ -21,22 +21,54 @@ struct Urgencies {
   static constexpr uint8_t kAsleep = 128;  // beside it: not looked at until its next renewal
   static constexpr uint32_t kSlice = (Profile::kLeaves + kSweepTicks - 1) / kSweepTicks;
 
-  std::array<uint8_t, Forest<Profile>::kTets> of;  // of leaf tets
-  uint16_t sweep_at;                               // the leaf whose urgency is renewed next
-  uint16_t split_at;  // where the search for the most urgent leaf starts: after the last one found
+  static constexpr uint32_t kFours = (Forest<Profile>::kTets + 3) / 4;
+
+  alignas(uint32_t) std::array<uint8_t, 4 * kFours> of;  // of leaf tets; no other one is wanted
+  uint16_t sweep_at;                                     // the leaf whose urgency is renewed next
+  uint16_t split_at;  // the four tets where the search for the most urgent ones starts: behind the last found
   uint16_t merge_at;  // where the search for calm patches goes on
 
   [[nodiscard]] uint8_t awake(uint16_t tet) const { return of[tet] & kMost; }
 
   void clear() {
-    for (const uint32_t i : bounded<Forest<Profile>::kTets>(Forest<Profile>::kTets, [] {})) of[i] = kNeutral;
+    for (const uint32_t i : bounded<4 * kFours>(4 * kFours, [] {})) of[i] = kNeutral;
     sweep_at = split_at = merge_at = 0;
   }
 };
 
+/// Urgencies of four tets side by side in a word, the first one lowest, all looked at together.
+class FourUrgencies {
+ public:
+  template <class Profile>
+  FourUrgencies(const Urgencies<Profile>& urgencies, uint32_t at) {
+    const uint8_t* of = &urgencies.of[4 * at];
+    static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
+    __builtin_memcpy(&all_, __builtin_assume_aligned(of, sizeof all_), sizeof all_);
+  }
+  /// `urgency` for each of four.
+  static constexpr uint32_t each(uint32_t urgency) { return urgency * kOnes; }
+  /// A top bit for each that is at least as urgent, below kMost, asleep or not.
+  [[nodiscard]] uint32_t reach(uint32_t each_urgency) const {
+    return ((all_ & ~kTops) + (kTops - each_urgency)) & kTops;
+  }
+  [[nodiscard]] uint32_t asleep() const { return all_ & kTops; }
+
+  static constexpr uint32_t count(uint32_t tops) { return (tops >> 7) * kOnes >> 24; }
+  /// Which of the four has the lowest of these bits; there must be one.
+  static constexpr uint32_t first(uint32_t tops) {
+    return static_cast<uint32_t>(31 - leading_zeros(tops & (0u - tops))) / 8;
+  }
+  static constexpr uint32_t without_first(uint32_t tops) { return tops & (tops - 1); }
+
+ private:
+  static constexpr uint32_t kTops = 0x80808080;
+  static constexpr uint32_t kOnes = 0x01010101;
+  uint32_t all_;
+};
+
 /// Whether `node` is a vertex of the leaf; kNone never is.
 inline bool touches(const Leaf& leaf, uint16_t node) {
-  return leaf.node[0] == node || leaf.node[1] == node || leaf.node[2] == node || leaf.node[3] == node;
+  return any_of(leaf.node[0] == node, leaf.node[1] == node, leaf.node[2] == node, leaf.node[3] == node);
 }
 
 template <class Profile>
@@ -87,29 +119,36 @@ void renew_urgencies(const Forest<Profile>& forest, const StretchRules& rules, u
 
 /// The most urgent leaf tets, worst first: one a patch of the budget, and some for those that prove blocked.
 template <class Profile>
-struct MostUrgent {
+class MostUrgent {
+ public:
   static constexpr uint32_t kLooks = Profile::kPatches + 3;
-  std::array<uint16_t, kLooks> tet;
-  std::array<uint8_t, kLooks> urgency;
-  uint32_t count = 0;
 
+  MostUrgent() {
+    for (const uint32_t i : bounded<kLooks>(kLooks, [] {})) places_[i] = kNobody;
+  }
+  [[nodiscard]] uint32_t count() const { return count_; }
+  [[nodiscard]] uint16_t tet(uint32_t i) const { return static_cast<uint16_t>(places_[i]); }
+  [[nodiscard]] uint8_t urgency(uint32_t i) const { return static_cast<uint8_t>(places_[i] >> 16); }
   /// What an offer must be more urgent than.
-  [[nodiscard]] uint32_t least() const {
-    return count == kLooks ? urgency[kLooks - 1] : Urgencies<Profile>::kWanted - 1u;
-  }
+  [[nodiscard]] uint32_t least() const { return places_[kLooks - 1] >> 16; }
   /// Behind those that are as urgent; the least urgent one goes when there is no room.
-  void offer(uint16_t offered, uint8_t how_urgent) {
-    count += count == kLooks ? 0u : 1u;
-    uint32_t at = count - 1;
-    for ([[maybe_unused]] const uint32_t i : bounded<kLooks - 1>(at, [] {})) {
-      if (urgency[at - 1] >= how_urgent) break;
-      tet[at] = tet[at - 1];
-      urgency[at] = urgency[at - 1];
-      --at;
+  void offer(uint16_t tet, uint8_t urgency) {
+    uint32_t carried = uint32_t{urgency} << 16 | tet;
+    bool is_ahead = false;
+#pragma GCC unroll 8
+    for (const uint32_t i : bounded<kLooks>(kLooks, [] {})) {
+      const uint32_t place = places_[i];
+      is_ahead = any_of(is_ahead, carried > (place | 0xffffu));
+      places_[i] = is_ahead ? carried : place;
+      carried = is_ahead ? place : carried;
     }
-    tet[at] = offered;
-    urgency[at] = how_urgent;
+    count_ += count_ == kLooks ? 0u : 1u;
   }
+
+ private:
+  static constexpr uint32_t kNobody = (Urgencies<Profile>::kWanted - 1u) << 16;
+  std::array<uint32_t, kLooks> places_;  // the urgency above the tet
+  uint32_t count_ = 0;
 };
 
 /// How many leaves want to be split, and how many of them are known not to be able to now.
@@ -117,31 +156,49 @@ struct Waiting {
   uint32_t all, blocked;
 };
 
-/// Goes through all leaves, from split_at on, so that equally urgent ones take turns. Leaves that are asleep
-/// or that `is_blocked(leaf)` are passed over. Where each is more urgent than the ones before, the search
-/// takes no more than kOffers; those behind have their turn in a later tick.
+/// What the search takes, where each is more urgent than the ones before, and what it looks at closely.
+template <class Profile>
+inline constexpr uint32_t kMostOffers = 8 * MostUrgent<Profile>::kLooks;
+template <class Profile>
+inline constexpr uint32_t kMostLooks = kMostOffers<Profile> + Profile::kLeaves / 8;
+
+/// Goes through all tets, from split_at on, so that equally urgent ones take turns, and looks closely at
+/// those that are more urgent than the ones before. Leaves that are asleep or that `is_blocked(leaf)` are
+/// passed over. Looks and offers are limited: those behind have their turn in a later tick.
 template <class Profile, class IsBlocked>
 Waiting find_most_urgent(const Forest<Profile>& forest, Urgencies<Profile>& urgencies, IsBlocked is_blocked,
                          MostUrgent<Profile>& wanted) {
   using Urgency = Urgencies<Profile>;
-  constexpr uint32_t kOffers = 8 * MostUrgent<Profile>::kLooks;
-  auto offers = bounded_total<kOffers>([] {});
+  auto looks = bounded_total<kMostLooks<Profile>>([] {});
+  auto offers = bounded_total<kMostOffers<Profile>>([] {});
   Waiting waiting{0, 0};
-  if (urgencies.split_at >= forest.leaf_count) urgencies.split_at = 0;
-  uint32_t at = urgencies.split_at;
-  uint32_t least = wanted.least();
-  for ([[maybe_unused]] const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    const Leaf& leaf = forest.leaf[at];
-    const uint8_t urgency = urgencies.of[leaf.tet];
-    const uint32_t is_wanted = urgency >= Urgency::kWanted ? 1u : 0u;
-    const uint32_t is_passed_over = (urgency > Urgency::kMost ? 1u : 0u) | is_blocked(leaf);
-    waiting.all += is_wanted;
-    waiting.blocked += is_wanted & is_passed_over;
-    at = at + 1 == forest.leaf_count ? 0 : at + 1;
-    if (is_passed_over != 0 || urgency <= least || offers.left() == 0) continue;
-    for ([[maybe_unused]] const uint32_t once : offers.take(0, 1)) wanted.offer(leaf.tet, urgency);
-    least = wanted.least();
+  uint32_t at = urgencies.split_at < Urgency::kFours ? urgencies.split_at : 0u;
+  uint32_t looked_at = at;
+  uint32_t closer = FourUrgencies::each(wanted.least() + 1);  // what is worth a closer look
+  for ([[maybe_unused]] const uint32_t i : bounded<Urgency::kFours>(Urgency::kFours, [] {})) {
+    const FourUrgencies four(urgencies, at);
+    const uint32_t are_wanted = four.reach(FourUrgencies::each(Urgency::kWanted));
+    waiting.all += FourUrgencies::count(are_wanted);
+    waiting.blocked += FourUrgencies::count(are_wanted & four.asleep());
+    uint32_t left = four.reach(closer) & ~four.asleep();
+    const uint32_t count = FourUrgencies::count(left);
+    for ([[maybe_unused]] const uint32_t look : looks.take(0, count < looks.left() ? count : looks.left())) {
+      const auto tet = static_cast<uint16_t>(4 * at + FourUrgencies::first(left));
+      left = FourUrgencies::without_first(left);
+      looked_at = at;
+      const uint32_t blocked = is_blocked(forest.leaf_of(tet));
+      waiting.blocked += blocked;
+      const uint8_t urgency = urgencies.of[tet];
+      if (all_of(blocked == 0, urgency > wanted.least(), offers.left() != 0)) {
+        for ([[maybe_unused]] const uint32_t once : offers.take(0, 1)) wanted.offer(tet, urgency);
+        closer = FourUrgencies::each(wanted.least() + 1);
+      }
+      const bool is_over = any_of(looks.left() == 0, offers.left() == 0);
+      closer = is_over ? FourUrgencies::each(Urgency::kMost + 1) : closer;
+    }
+    at = at + 1 == Urgency::kFours ? 0 : at + 1;
   }
+  if (looks.left() == 0) urgencies.split_at = static_cast<uint16_t>(looked_at);
   return waiting;
 }
 

@@ -1,7 +1,9 @@
 // The worst of many within a budget, with no sorting: count them by class, find the class down to which the
-// budget reaches, take all above it, then of that class what still fits.
+// budget reaches, take all above it, and of that class what still fits. No step has a branch that depends on
+// what is looked at.
 #pragma once
 
+#include "palpate/numeric/all_of.hpp"
 #include "palpate/numeric/bounded.hpp"
 #include "palpate/numeric/reciprocal.hpp"
 
@@ -9,38 +11,50 @@ namespace palpate {
 
 inline constexpr uint32_t kClasses = 64;
 
-/// Two classes an octave: neighbours differ by less than half. 0 for 0.
+/// Two classes an octave: neighbours differ by less than half. 0 for 0 and 1.
 constexpr uint32_t class_of(uint32_t measure) {
-  if (measure < 2) return measure;
-  const auto exponent = static_cast<uint32_t>(31 - leading_zeros(measure));
-  return 2 * exponent + ((measure >> (exponent - 1)) & 1u);
+  const auto zeros = static_cast<uint32_t>(leading_zeros(measure | 1u));
+  return 2 * (31 - zeros) + ((measure << zeros >> 30) & 1u);
 }
 
-class ClassCounts {
+/// Where something stands that has no place among the worst, below all classes; they are counted from 1.
+using Rank = uint8_t;
+inline constexpr Rank kUnwanted = 0;
+constexpr Rank rank_of(uint32_t measure, bool is_wanted) {
+  return static_cast<Rank>((1 + class_of(measure)) * (is_wanted ? 1u : 0u));
+}
+
+class RankCounts {
  public:
-  ClassCounts() {
-    for (const uint32_t i : bounded<kClasses>(kClasses, [] {})) counts_[i] = 0;
+  RankCounts() {
+    for (const uint32_t i : bounded<kRanks>(kRanks, [] {})) counts_[i] = 0;
   }
-  void add(uint32_t which) { ++counts_[which]; }
+  void add(Rank rank) { ++counts_[rank]; }
+  /// Of all that are wanted.
   [[nodiscard]] uint32_t total() const {
     uint32_t sum = 0;
-    for (const uint32_t i : bounded<kClasses>(kClasses, [] {})) sum += counts_[i];
+    for (const uint32_t i : bounded<kClasses>(kClasses, [] {})) sum += counts_[1 + i];
     return sum;
   }
-  /// The lowest class so that all above it fit into the budget; without a budget the highest that has any.
-  [[nodiscard]] uint32_t lowest_within(uint32_t budget) const {
+  /// The lowest of which some fit into the budget, and how many; without a budget none of the highest that
+  /// there is.
+  struct Lowest {
+    uint32_t rank, room;
+  };
+  [[nodiscard]] Lowest lowest_within(uint32_t budget) const {
     uint32_t sum = 0;
-    uint32_t lowest = 0;
+    Lowest lowest{kClasses, 0};
     for (const uint32_t i : bounded<kClasses>(kClasses, [] {})) {
-      const uint32_t which = kClasses - 1 - i;
-      if (sum < budget || sum == 0) lowest = which;
-      sum += counts_[which];
+      const uint32_t rank = kClasses - i;
+      lowest = sum < budget || sum == 0 ? Lowest{rank, budget - sum} : lowest;
+      sum += counts_[rank];
     }
     return lowest;
   }
 
  private:
-  std::array<uint16_t, kClasses> counts_;
+  static constexpr uint32_t kRanks = kClasses + 1;
+  std::array<uint32_t, kRanks> counts_;
 };
 
 }  // namespace palpate

@@ -33,7 +33,7 @@ void add_mesh(const Forest<Profile>& forest, StateHash& hash) {
 template <class Profile>
 void add_front(const State<Profile>& state, StateHash& hash) {
   const RotationFront<Profile>& front = state.front;
-  hash.add(uint32_t{front.groups.used()});
+  hash.add(front.groups.used() | uint32_t{front.pairs_at} << 16);
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
     hash.add(front.tet[group] | uint32_t{front.partner[group]} << 16);
