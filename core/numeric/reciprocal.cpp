@@ -1,74 +1,90 @@
 #include "palpate/numeric/reciprocal.hpp"
 
+#include "palpate/numeric/high_word.hpp"
+
 namespace palpate {
 namespace {
 
-using Domain = Q<0, 31>;     // x
 using Offset = Q<-1, 32>;    // x less the middle of its domain
-using Estimate = Q<2, 29>;   // y, may be a little above 2 before the last step
-using Residual = Q<-1, 32>;  // 1 - x y, or (1 - x y^2) / 2
-using Result = Q<1, 30>;
+using Estimate = Q<3, 28>;   // the seed y
+using Residual = Q<-9, 40>;  // r: how far the seed is off
+using Correction = Q<-7, 38>;
 
-constexpr auto kOne = widen<60>(Result::from_raw(1 << 30));
-
-/// c0 + u c1 + u^2 c2 + u^3 c3, u = x - 3/4: within 1.8e-3 of 1/x, relative. 3 multiplies.
-Estimate reciprocal_seed(Domain x) {
-  constexpr auto kC0 = Estimate::from_raw(714587280);    //  1.33102253
-  constexpr auto kC1 = Estimate::from_raw(-952783040);   // -1.77469671
-  constexpr auto kC2 = Estimate::from_raw(1429174560);   //  2.66204506
-  constexpr auto kC3 = Estimate::from_raw(-1905566080);  // -3.54939341
-  const auto u = Offset::from_raw((x.raw() - (3 << 29)) * 2);
-  const Estimate p2 = kC2 + narrow<Estimate>(u * kC3);
-  const Estimate p1 = kC1 + narrow<Estimate>(u * p2);
-  return kC0 + narrow<Estimate>(u * p1);
+/// c0 + u (c1 + u (c2 + ...)), unrolled.
+template <std::size_t First = 0, std::size_t N>
+PALPATE_ALWAYS_INLINE Estimate polynomial(const Estimate (&c)[N], Offset u) {
+  if constexpr (First + 1 == N) {
+    return c[First];
+  } else {
+    return multiply_add_high(u, polynomial<First + 1>(c, u), c[First]);
+  }
 }
 
-/// c0 + u c1 + u^2 c2 + u^3 c3 + u^4 c4, u = x - 5/8: within 2.2e-3 of 1/sqrt(x), relative. 4 multiplies.
-Estimate reciprocal_square_root_seed(Domain x) {
-  constexpr auto kC0 = Estimate::from_raw(679478320);    //  1.26562700
-  constexpr auto kC1 = Estimate::from_raw(-525378517);   // -0.97859375
-  constexpr auto kC2 = Estimate::from_raw(603509897);    //  1.12412478
-  constexpr auto kC3 = Estimate::from_raw(-1321966935);  // -2.46235530
-  constexpr auto kC4 = Estimate::from_raw(2042488023);   //  3.80443041
-  const auto u = Offset::from_raw((x.raw() - (5 << 28)) * 2);
-  const Estimate p3 = kC3 + narrow<Estimate>(u * kC4);
-  const Estimate p2 = kC2 + narrow<Estimate>(u * p3);
-  const Estimate p1 = kC1 + narrow<Estimate>(u * p2);
-  return kC0 + narrow<Estimate>(u * p1);
+/// The first bits of a seed that is above 0: Bits of them behind the point, so that products of it are exact.
+template <int Bits>
+uint32_t short_of(Estimate y) {
+  return static_cast<uint32_t>(y.raw()) >> (Estimate::kFractionBits - Bits);
 }
 
-/// y (1 + r), still as an accumulator. 1 multiply.
-Acc<61> corrected(Estimate y, Residual r) { return widen<61>(y) + y * r; }
-
-/// 1 - x y. 1 multiply.
-Residual reciprocal_residual(Domain x, Estimate y) { return narrow<Residual>(kOne - x * y); }
-
-/// (1 - x y^2) / 2, for y below 2. 2 multiplies.
-Residual square_root_residual(Domain x, Estimate y) {
-  const Estimate y_squared = narrow<Estimate>(y * y);
-  return narrow<Residual>(divide_by_power_of_two<1>(kOne - x * y_squared));
+/// 1 - product, of a product of Bits fraction bits that is that near to 1.
+template <int Bits>
+Residual residual_of(uint64_t product) {
+  return Residual::from_raw(-static_cast<int32_t>(product >> (Bits - Residual::kFractionBits)));
 }
 
-/// The largest estimate whose square stays in its format. The true value is at most 2.
-Estimate below_two(Estimate y) {
-  constexpr auto kLimit = Estimate::from_raw((1 << 30) - 1);
-  return y > kLimit ? kLimit : y;
-}
+/// 2 itself becomes the largest number below it.
+Q<1, 30> at_most_two(uint32_t raw) { return Q<1, 30>::from_raw(static_cast<int32_t>(raw - (raw >> 31))); }
 
 }  // namespace
 
 Q<1, 30> reciprocal_normalised(Q<0, 31> x) {
   check(x.raw() >= 1 << 30, "reciprocal_normalised needs x in [0.5, 1)");
-  const Estimate y0 = reciprocal_seed(x);
-  const Estimate y1 = narrow<Estimate>(corrected(y0, reciprocal_residual(x, y0)));
-  return narrow_saturated<Result>(corrected(y1, reciprocal_residual(x, y1)));
+  // In x - 3/4: within 3.0e-4, relative, and then cut by at most 2^-16.
+  constexpr Estimate kSeed[] = {
+      Estimate::from_raw(357913941),   //  1.33333333
+      Estimate::from_raw(-475090049),  // -1.76984835
+      Estimate::from_raw(633453398),   //  2.35979780
+      Estimate::from_raw(-980831068),  // -3.65388046
+      Estimate::from_raw(1307774758),  //  4.87184062
+  };
+  const uint32_t y = short_of<16>(polynomial(kSeed, Offset::from_raw((x.raw() - (3 << 29)) * 2)));
+  const Residual r = residual_of<47>(uint64_t{static_cast<uint32_t>(x.raw())} * y);
+  // y (1 + r + r^2)
+  const auto one_more = Q<1, 30>::from_raw((1 << 30) + (r.raw() >> 10));
+  const auto correction = multiply_high<Correction>(r, one_more);
+  const auto more = multiply_high<Q<1, 30>>(Q<7, 24>::from_raw(static_cast<int32_t>(y << 8)), correction);
+  return at_most_two((y << 14) + static_cast<uint32_t>(more.raw()));
+}
+
+Q<-1, 32> reciprocal_square_root_less_one(Q<1, 30> x) {
+  check(x.raw() >= (1 << 29) - 256, "reciprocal_square_root_less_one needs x in [0.5, 2)");
+  // In (x - 5/4) / 2: within 2.1e-4, relative, and then cut by at most 2^-14.5.
+  constexpr Estimate kSeed[] = {
+      Estimate::from_raw(240082472),    //  0.89437691
+      Estimate::from_raw(-192920836),   // -0.71868612
+      Estimate::from_raw(233498254),    //  0.86984878
+      Estimate::from_raw(-262721062),   // -0.97871222
+      Estimate::from_raw(329998744),    //  1.22934112
+      Estimate::from_raw(-1166338958),  // -4.34495121
+      Estimate::from_raw(1889919989),   //  7.04050060
+  };
+  const uint32_t y = short_of<15>(polynomial(kSeed, Offset::from_raw((x.raw() - (5 << 28)) * 2)));
+  const Residual r = residual_of<60>(uint64_t{static_cast<uint32_t>(x.raw())} * (y * y));
+  // y (1 + r / 2 + 3/8 r^2)
+  constexpr auto kThreeEighths = Q<8, 23>::from_raw(3 << 20);
+  const auto half_and_more = multiply_add_high(r, kThreeEighths, Q<0, 31>::from_raw(1 << 30));
+  const auto correction = multiply_high<Q<-8, 39>>(r, half_and_more);
+  // Of 32 fraction bits a whole one leaves nothing, and the rest is below a half.
+  const auto seed_less_one = Q<-1, 32>::from_raw(static_cast<int32_t>(y << 17));
+  return multiply_add_high(Q<6, 25>::from_raw(static_cast<int32_t>(y << 10)), correction, seed_less_one);
 }
 
 Q<1, 30> reciprocal_square_root_normalised(Q<0, 31> x) {
   check(x.raw() >= 1 << 29, "reciprocal_square_root_normalised needs x in [0.25, 1)");
-  const Estimate y0 = below_two(reciprocal_square_root_seed(x));
-  const Estimate y1 = below_two(narrow<Estimate>(corrected(y0, square_root_residual(x, y0))));
-  return narrow_saturated<Result>(corrected(y1, square_root_residual(x, y1)));
+  constexpr auto kRootOfTwo = Q<1, 30>::ratio(14142135623730951, 10000000000000000);
+  const auto less_one = reciprocal_square_root_less_one(Q<1, 30>::from_raw(x.raw()));  // of 2 x
+  const auto more = multiply_high<Q<1, 30>>(less_one, kRootOfTwo);
+  return at_most_two(static_cast<uint32_t>(kRootOfTwo.raw()) + static_cast<uint32_t>(more.raw()));
 }
 
 }  // namespace palpate

@@ -1,5 +1,6 @@
 #include "palpate/numeric/rotation.hpp"
 
+#include "palpate/numeric/high_word.hpp"
 #include "palpate/numeric/reciprocal.hpp"
 
 namespace palpate {
@@ -12,48 +13,43 @@ Acc<60> dot(const Quaternion& a, const Quaternion& b) {
 }  // namespace
 
 RotationMatrix rotation_matrix(const Quaternion& q) {
-  const auto xx = q.x * q.x;
-  const auto yy = q.y * q.y;
-  const auto zz = q.z * q.z;
-  const auto xy = q.x * q.y;
-  const auto xz = q.x * q.z;
-  const auto yz = q.y * q.z;
-  const auto wx = q.w * q.x;
-  const auto wy = q.w * q.y;
-  const auto wz = q.w * q.z;
-  const auto one = widen<60>(RotationEntry::ratio(1, 1));
-  const auto twice = [](Acc<60> acc) { return acc + acc; };
-  const auto entry = [](Acc<60> acc) { return narrow<RotationEntry>(acc); };
+  const auto [w, x, y, z] = q;
+  const auto twice = [](Acc<60> acc) { return narrow<RotationEntry>(Acc<59>::from_raw(acc.raw())); };
   RotationMatrix r;
-  r(0, 0) = entry(one - twice(yy + zz));
-  r(0, 1) = entry(twice(xy - wz));
-  r(0, 2) = entry(twice(xz + wy));
-  r(1, 0) = entry(twice(xy + wz));
-  r(1, 1) = entry(one - twice(xx + zz));
-  r(1, 2) = entry(twice(yz - wx));
-  r(2, 0) = entry(twice(xz - wy));
-  r(2, 1) = entry(twice(yz + wx));
-  r(2, 2) = entry(one - twice(xx + yy));
+  const auto pair = [&](Eigen::Index i, Eigen::Index j, Acc<60> even, Acc<60> odd) {
+    r(i, j) = twice(even - odd);
+    r(j, i) = twice(even + odd);
+  };
+  pair(0, 1, x * y, w * z);
+  pair(2, 0, x * z, w * y);
+  pair(1, 2, y * z, w * x);
+  const auto half = widen<60>(RotationEntry::ratio(1, 2));
+  const auto xx = x * x;
+  const auto yy = y * y;
+  const auto zz = z * z;
+  r(0, 0) = twice(half - yy - zz);
+  r(1, 1) = twice(half - xx - zz);
+  r(2, 2) = twice(half - xx - yy);
   return r;
 }
 
 Quaternion normalised(const Quaternion& q) {
-  // 1/|q| = (1/sqrt(|q|^2 / 2)) sqrt(1/2), and |q|^2 / 2 is in the root's domain.
-  constexpr RotationEntry kRootOfHalf = RotationEntry::ratio(7071067811865475, 10000000000000000);
-  constexpr auto kLeast = Q<0, 31>::ratio(1, 4);
-  const auto rounded = narrow<Q<0, 31>>(divide_by_power_of_two<1>(dot(q, q)));
-  const auto half_square = rounded < kLeast ? kLeast : rounded;
-  const auto scale = narrow<RotationEntry>(reciprocal_square_root_normalised(half_square) * kRootOfHalf);
-  return Quaternion{narrow<RotationEntry>(q.w * scale), narrow<RotationEntry>(q.x * scale),
-                    narrow<RotationEntry>(q.y * scale), narrow<RotationEntry>(q.z * scale)};
+  const auto more = reciprocal_square_root_less_one(narrow<Q<1, 30>>(dot(q, q)));
+  return Quaternion{multiply_add_high(q.w, more, q.w), multiply_add_high(q.x, more, q.x),
+                    multiply_add_high(q.y, more, q.y), multiply_add_high(q.z, more, q.z)};
 }
 
 Quaternion between(const Quaternion& from, const Quaternion& to, RotationEntry fraction) {
-  const bool flip = dot(from, to) < Acc<60>::from_raw(0);
-  const Quaternion goal = flip ? Quaternion{-to.w, -to.x, -to.y, -to.z} : to;
+  const int32_t minus = static_cast<int32_t>(dot(from, to).raw() >> 63);
+  const Quaternion goal = {with_sign(minus, to.w), with_sign(minus, to.x), with_sign(minus, to.y),
+                           with_sign(minus, to.z)};
   if (fraction == RotationEntry::ratio(1, 1)) return goal;
-  const auto entry = [fraction](RotationEntry a, RotationEntry b) {
-    return a + narrow<RotationEntry>((b - a) * fraction);  // the short way, so |b - a| < 2
+  // From halfway, so that what is multiplied by is below a half.
+  const auto beyond = Q<-1, 32>::from_raw((fraction.raw() - RotationEntry::ratio(1, 2).raw()) * 4);
+  const auto entry = [beyond](RotationEntry a, RotationEntry b) {
+    const RotationEntry way = b - a;  // the short one, below 2
+    const auto halfway = RotationEntry::from_raw(a.raw() + (way.raw() >> 1));
+    return multiply_add_high(way, beyond, halfway);
   };
   return normalised(
       Quaternion{entry(from.w, goal.w), entry(from.x, goal.x), entry(from.y, goal.y), entry(from.z, goal.z)});

@@ -34,7 +34,7 @@ Vector4d random_unit(Random& random) {
 
 double in_lsb(double error) { return std::ldexp(error, RotationEntry::kFractionBits); }
 
-TEST(NumericRotation, NormalisedIsWithinTwoLsb) {
+TEST(NumericRotation, NormalisedIsWithinOneLsb) {
   Random random(41);
   double worst = 0.0;
   for (uint32_t i = 0; i < count(); ++i) {
@@ -44,11 +44,11 @@ TEST(NumericRotation, NormalisedIsWithinTwoLsb) {
     worst = std::max(worst, in_lsb((entries(normalised(q)) - exact).cwiseAbs().maxCoeff()));
   }
   std::printf("normalised: off by at most %.2f LSB\n", worst);
-  EXPECT_LE(worst, 2.0);
+  EXPECT_LE(worst, 1.0);
 }
 
-/// Two LSB from normalised, and half an LSB each from four differences, up to sqrt(2) longer by the norm.
-constexpr double kBetweenLsb = 3.5;
+/// One LSB from normalised, and up to one each from four differences, up to sqrt(2) longer by the norm.
+constexpr double kBetweenLsb = 2.5;
 
 double between_error(const Quaternion& from, const Quaternion& to, RotationEntry fraction) {
   const Vector4d a = entries(from);
@@ -102,6 +102,29 @@ TEST(NumericRotation, BetweenEndsWhereItShouldAndGoesTheShortWay) {
     ASSERT_LE(in_lsb((entries(still) - entries(to)).cwiseAbs().maxCoeff()), 4.0);
     const Quaternion middle = between(from, to, RotationEntry::ratio(1, 2));
     ASSERT_GE(std::abs(entries(middle).dot(entries(from))), std::sqrt(0.5) - 1e-6);
+  }
+}
+
+TEST(NumericRotation, MatrixIsWithinOneLsb) {
+  Random random(47);
+  double worst = 0.0;
+  for (uint32_t i = 0; i < count(); ++i) {
+    const Quaternion q = fixed_of(random_unit(random));
+    const Eigen::Quaterniond exact = doubles(q);
+    // Not normalised: the formula's own entries.
+    worst = std::max(worst,
+                     in_lsb((doubles(rotation_matrix(q)) - exact.toRotationMatrix()).cwiseAbs().maxCoeff()));
+  }
+  std::printf("rotation matrix: off by at most %.2f LSB\n", worst);
+  EXPECT_LE(worst, 0.6);
+}
+
+TEST(NumericRotation, MatrixOfTurnsByHalfIsExact) {
+  const RotationEntry zero = RotationEntry::from_raw(0);
+  const RotationEntry one = RotationEntry::ratio(1, 1);
+  for (const RotationEntry x : {one, -one}) {
+    const RotationMatrix r = rotation_matrix(Quaternion{zero, x, zero, zero});
+    EXPECT_EQ(doubles(r), Eigen::Matrix3d(Eigen::Vector3d(1, -1, -1).asDiagonal()));
   }
 }
 

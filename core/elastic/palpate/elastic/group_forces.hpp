@@ -16,10 +16,10 @@ template <class Profile>
 struct GroupFrame {
   struct Node {
     Vector3<Position> position;
-    Vector3<Force> force;
+    Vector3<FrameForce> force;
   };
   Matrix3<FrameEntry> rotation;
-  Matrix3<Strain> gradient;  // R^T F, the volume mean of its leaves
+  MeanGradient gradient;  // of its leaves
   std::array<Node, RotationFront<Profile>::kNodesOfGroup> node;
 };
 
@@ -27,10 +27,8 @@ namespace group_forces_detail {
 
 /// An entry of 1 becomes the largest one below it, which no ClampFlag may take for its own.
 PALPATE_NOINLINE inline void set_frame(const Quaternion& q, Matrix3<FrameEntry>& frame) {
-  const RotationMatrix r = rotation_matrix(q);
-  for (const uint32_t i : bounded<9>(9, [] {})) {
-    frame.data()[i] = FrameEntry::from_raw(2 * within_bits<31>(r.data()[i].raw()));
-  }
+  frame = rotation_matrix(q).unaryExpr(
+      [](RotationEntry entry) { return FrameEntry::from_raw(2 * within_bits<31>(entry.raw())); });
 }
 
 /// The frame's entries as variables, whose address nobody has: no store can meet them.
@@ -54,7 +52,7 @@ PALPATE_ALWAYS_INLINE Vector3<Position> into_frame(const FrameEntries& r, const 
                                                    const Vector3<Position>& origin, ClampFlag& clamped) {
   using Doubled = Q<3, 28>;  // |x - origin| < 8
   const auto from_origin = [&](Eigen::Index axis) {
-    return Doubled::from_raw(2 * (x[axis] - origin[axis]).raw());
+    return Doubled::from_raw(2 * x[axis].raw() - 2 * origin[axis].raw());
   };
   const Vector3<Doubled> d(from_origin(0), from_origin(1), from_origin(2));
   const auto along = [&](FrameEntry a, FrameEntry b, FrameEntry c) {
@@ -63,13 +61,10 @@ PALPATE_ALWAYS_INLINE Vector3<Position> into_frame(const FrameEntries& r, const 
   return Vector3<Position>(along(r.xx, r.yx, r.zx), along(r.xy, r.yy, r.zy), along(r.xz, r.yz, r.zz));
 }
 
-/// R f, with |f| < 32 in every component.
-PALPATE_ALWAYS_INLINE Vector3<Force> out_of_frame(const FrameEntries& r, const Vector3<Force>& f) {
-  using Doubled = Q<5, 26>;
-  const auto doubled = [&](Eigen::Index axis) { return Doubled::from_raw(2 * f[axis].raw()); };
-  const Vector3<Doubled> d(doubled(0), doubled(1), doubled(2));
+/// R f.
+PALPATE_ALWAYS_INLINE Vector3<Force> out_of_frame(const FrameEntries& r, const Vector3<FrameForce>& f) {
   const auto along = [&](FrameEntry a, FrameEntry b, FrameEntry c) {
-    return narrow<Force>(a * d[0] + b * d[1] + c * d[2]);
+    return narrow<Force>(a * f[0] + b * f[1] + c * f[2]);
   };
   return Vector3<Force>(along(r.xx, r.xy, r.xz), along(r.yx, r.yy, r.yz), along(r.zx, r.zy, r.zz));
 }
@@ -109,7 +104,7 @@ class GroupForces {
         const uint32_t place = k - span.begin;
         front_.mark[node] = place;
         frame_.node[place] = {group_forces_detail::into_frame(r, at[node], origin, clamped),
-                              zero_vector<Force>()};
+                              zero_vector<FrameForce>()};
       }
       const Span own = front_.leaves[group];
       if constexpr (Mode == Observe::kYes) {
@@ -130,7 +125,7 @@ class GroupForces {
   };
   struct AddsGradient {
     uint32_t depth;
-    Matrix3<Strain>& mean;
+    MeanGradient& mean;
     template <class OfLeaf>
     PALPATE_ALWAYS_INLINE void operator()(const OfLeaf& force) const {
       force.add_gradient(depth, mean);
@@ -158,7 +153,8 @@ class GroupForces {
   template <class Range>
   PALPATE_ALWAYS_INLINE void observe_leaves(uint16_t group, Range range, ClampFlag& clamped) {
     const uint8_t group_level = forest_.level_of(front_.tet[group]);
-    for (const uint32_t i : bounded<9>(9, [] {})) frame_.gradient.data()[i] = Strain::from_raw(0);
+    const Vector3<Strain> none = zero_vector<Strain>();
+    frame_.gradient.template topRows<3>() << none, none, none;
     for (const uint32_t k : range) {
       const Leaf& leaf = forest_.leaf[front_.leaf_order[k]];
       const auto depth = static_cast<uint32_t>(leaf.level() - group_level);
@@ -167,7 +163,8 @@ class GroupForces {
     set_gradient(group);
   }
   PALPATE_NOINLINE void set_gradient(uint16_t group) {
-    groups_.gradient[group] = narrow<Stretch>(rotation_matrix(groups_.used[group]) * frame_.gradient);
+    const Matrix3<Strain> mean = frame_.gradient.template topRows<3>().transpose();
+    groups_.gradient[group] = narrow<Stretch>(frame_.rotation * mean);
   }
 
   /// `see` is shown the leaf's LeafForce between its edge vectors and its forces.
@@ -229,15 +226,17 @@ class GroupForces {
   PALPATE_ALWAYS_INLINE void add_to_nodes(const group_forces_detail::FrameEntries& r, uint16_t begin,
                                           Range range) {
     Vector3<Force> net = zero_vector<Force>();
-    uint16_t first = kNone;
     for (const uint32_t k : range) {
       const uint16_t node = front_.node_order[k];
+      Vector3<Force>& sum = forest_.node.force[node];
+      const Force x = sum[0];  // all of it before any is stored: a load may have to wait for a store
+      const Force y = sum[1];
+      const Force z = sum[2];
       const Vector3<Force> force = group_forces_detail::out_of_frame(r, frame_.node[k - begin].force);
-      forest_.node.force[node] += force;
+      sum = Vector3<Force>(x + force[0], y + force[1], z + force[2]);
       net += force;
-      first = first == kNone ? node : first;
     }
-    if (first != kNone) forest_.node.force[first] -= net;
+    forest_.node.force[front_.node_order[begin]] -= net;
   }
 
   Forest<Profile>& forest_;

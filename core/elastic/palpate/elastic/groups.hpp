@@ -73,13 +73,9 @@ void inherit_rotation(Groups<Profile>& groups, uint16_t group, uint16_t added) {
 /// The mean of two groups of equal volume.
 template <class Profile>
 DeformationGradient mean_gradient(const Groups<Profile>& groups, uint16_t a, uint16_t b) {
-  DeformationGradient mean;
-  for (const uint32_t i : bounded<9>(9, [] {})) {
-    const auto twice = widen<Stretch::kFractionBits>(groups.gradient[a].data()[i]) +
-                       widen<Stretch::kFractionBits>(groups.gradient[b].data()[i]);
-    mean.data()[i] = narrow<Stretch>(divide_by_power_of_two<1>(twice));
-  }
-  return mean;
+  return groups.gradient[a].binaryExpr(groups.gradient[b], [](Stretch x, Stretch y) {
+    return Stretch::from_raw((x.raw() + y.raw() + 1) >> 1);  // entries are below 7, of 32
+  });
 }
 
 /// After `gone` was joined to `group`, which holds their parent's rotation already.
@@ -99,17 +95,21 @@ void update_rotations(const RotationFront<Profile>& front, Groups<Profile>& grou
     const uint16_t group = front.groups.live(i);
     const uint16_t partner = front.partner[group];
     if (partner != kNone && is_second_of_pair(front, group)) continue;
-    DeformationGradient f = groups.gradient[group];
-    for ([[maybe_unused]] const uint32_t pair : pairs.take(0, partner == kNone ? 0u : 1u))
-      f = mean_gradient(groups, group, partner);
-    groups.extracted[group] = extract_rotation(f, groups.extracted[group]);
+    DeformationGradient mean;
+    const DeformationGradient* f = &groups.gradient[group];
+    for ([[maybe_unused]] const uint32_t pair : pairs.take(0, partner == kNone ? 0u : 1u)) {
+      mean = mean_gradient(groups, group, partner);
+      f = &mean;
+    }
+    groups.extracted[group] = extract_rotation(*f, groups.extracted[group]);
   }
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
     const bool follows = front.partner[group] != kNone && is_second_of_pair(front, group);
     const Quaternion& goal = groups.extracted[follows ? front.partner[group] : group];
-    groups.used[group] = between(groups.used[group], goal, kBlendParts[groups.blend[group]]);
-    if (groups.blend[group] > 0) --groups.blend[group];
+    const uint32_t left = groups.blend[group];
+    groups.used[group] = between(groups.used[group], goal, kBlendParts[left]);
+    groups.blend[group] = static_cast<uint8_t>(left - (left > 0 ? 1u : 0u));
   }
 }
 

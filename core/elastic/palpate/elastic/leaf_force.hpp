@@ -7,6 +7,7 @@
 //
 // Nothing is scaled by h: with c_jk = (g_k)[axis j] and t the type, an edge's force is sigma h^2 / 2^t, so
 //   s_j sigma_jk h^2 / 2^t = mu h / 2^t (c_jk + s_j s_k c_kj),
+//   s_j sigma_jj h^2 / 2^t = 2 mu h / 2^t c_jj + s_j (lambda h / 2^t trace - 2 mu h^2 / 2^t),
 // and the coefficients carry the powers of two. Code of its own for each level has them as constants.
 #pragma once
 
@@ -16,12 +17,19 @@
 
 namespace palpate {
 
-/// The edge vectors of a leaf, row by row, with the axis and the sign (-1 for minus, else 0) of each row.
+/// The edge vectors of a leaf, row by row, with the axis and the sign, 1 or -1, of each row.
 struct LeafRows {
   Position c[3][3];
   uint32_t axis[3];
-  int32_t minus[3];
+  int32_t sign[3];
 };
+
+/// A force in a group's frame: the sum at a node is below 24.
+using FrameForce = Q<5, 26>;
+
+/// The mean of A = R^T F over leaves, transposed: row j of a leaf goes to column axis j. Of four rows, of
+/// which the last is unused, so that a column is a shift away.
+using MeanGradient = Eigen::Matrix<Strain, 4, 3>;
 
 template <uint8_t Level>
 class LeafForce {
@@ -29,7 +37,7 @@ class LeafForce {
   PALPATE_ALWAYS_INLINE explicit LeafForce(Axes axes)
       : rows_{{},
               {axes.axis(0), axes.axis(1), axes.axis(2)},
-              {axes.is_negative(0) ? -1 : 0, axes.is_negative(1) ? -1 : 0, axes.is_negative(2) ? -1 : 0}} {}
+              {sign_of(axes, 0), sign_of(axes, 1), sign_of(axes, 2)}} {}
 
   /// The edge vectors, from the positions of the four nodes in the group's frame: within +-4 edges.
   PALPATE_ALWAYS_INLINE void gather(const Vector3<Position>& w0, const Vector3<Position>& w1,
@@ -40,20 +48,23 @@ class LeafForce {
     gather_row<2>(w0, w1, w2, w3, clamped);
   }
 
-  /// Adds 2^-depth A to a mean of A = R^T F. From the rows, A[axis j][axis k] = s_k c_jk / h.
-  PALPATE_ALWAYS_INLINE void add_gradient(uint32_t depth, Matrix3<Strain>& mean) const {
+  /// Adds 2^-depth A. From the rows, A[axis j][axis k] = s_k c_jk / h.
+  PALPATE_ALWAYS_INLINE void add_gradient(uint32_t depth, MeanGradient& mean) const {
     // For a group of one leaf the largest below 1.
     const uint32_t power = 0x80000000u >> depth;
     const auto weight = Q<0, 31>::from_raw(static_cast<int32_t>(power - (power >> 31)));
-    add_column<0>(weight, mean);
-    add_column<1>(weight, mean);
-    add_column<2>(weight, mean);
+    const Q<0, 31> weights[3] = {times(rows_.sign[0], weight), times(rows_.sign[1], weight),
+                                 times(rows_.sign[2], weight)};
+    add_row<0>(weights, mean);
+    add_row<1>(weights, mean);
+    add_row<2>(weights, mean);
   }
 
-  /// Adds the nodal forces. 7 multiplies.
-  PALPATE_ALWAYS_INLINE void scatter(const Material& material, Vector3<Force>& f0, Vector3<Force>& f1,
-                                     Vector3<Force>& f2, Vector3<Force>& f3, ClampFlag& clamped) const {
-    Force t[3][3];
+  /// Adds the nodal forces. 7 multiplies beside those by signs.
+  PALPATE_ALWAYS_INLINE void scatter(const Material& material, Vector3<FrameForce>& f0,
+                                     Vector3<FrameForce>& f1, Vector3<FrameForce>& f2,
+                                     Vector3<FrameForce>& f3, ClampFlag& clamped) const {
+    FrameForce t[3][3];
     edge_forces(material, t, clamped);
     scatter_row<0>(t[0], f0, f1, f2, f3);
     scatter_row<1>(t[1], f0, f1, f2, f3);
@@ -69,10 +80,20 @@ class LeafForce {
   /// Of +-kStretchLimit h, +-kTraceLimit h and +-kStressLimit h^2 / 2^t.
   static constexpr int kStretchBits = 30 - kSize;
   static constexpr int kTraceBits = 29 - kSize;
-  static constexpr int kForceBits = 25 - 2 * kSize - kTypeBits;
+  static constexpr int kForceBits = 26 - 2 * kSize - kTypeBits;
   static_assert(kStretchLimit == 4 && kTraceLimit.raw() == (int32_t{1} << 28) - 1 &&
                     kStressLimit == Stress::ratio(1, 2),
                 "palpate: the limits are powers of two");
+
+  /// 1 or -1, from the sign's bit: a condition would become a branch.
+  PALPATE_ALWAYS_INLINE static int32_t sign_of(Axes axes, uint32_t k) {
+    return (static_cast<int32_t>(uint32_t{axes.code()} << (29u - 3u * k)) >> 31) | 1;
+  }
+  /// A product, so that with a sum it is one instruction.
+  template <class Fixed>
+  PALPATE_ALWAYS_INLINE static Fixed times(int32_t sign, Fixed value) {
+    return Fixed::from_raw(sign * value.raw());
+  }
 
   template <int Row>
   PALPATE_ALWAYS_INLINE void gather_row(const Vector3<Position>& w0, const Vector3<Position>& w1,
@@ -91,53 +112,61 @@ class LeafForce {
     rows_.c[Row][2] = clamped.clamp<kStretchBits>(g3);
   }
 
-  /// All of a column is loaded before any of it is stored: a load may have to wait for a store.
-  template <int K>
-  PALPATE_ALWAYS_INLINE void add_column(Q<0, 31> weight, Matrix3<Strain>& mean) const {
-    Strain* column = mean.data() + std::size_t{3} * rows_.axis[K];
-    const Q<0, 31> signed_weight = with_sign(rows_.minus[K], weight);
-    const Strain sum0 = column[rows_.axis[0]];
-    const Strain sum1 = column[rows_.axis[1]];
-    const Strain sum2 = column[rows_.axis[2]];
-    column[rows_.axis[0]] = with_entry(rows_.c[0][K], signed_weight, sum0);
-    column[rows_.axis[1]] = with_entry(rows_.c[1][K], signed_weight, sum1);
-    column[rows_.axis[2]] = with_entry(rows_.c[2][K], signed_weight, sum2);
+  /// All of a row is loaded before any of it is stored: a load may have to wait for a store.
+  template <int Row>
+  PALPATE_ALWAYS_INLINE void add_row(const Q<0, 31> (&weights)[3], MeanGradient& mean) const {
+    Strain* row = mean.data() + std::size_t{4} * rows_.axis[Row];
+    const Strain sum0 = row[rows_.axis[0]];
+    const Strain sum1 = row[rows_.axis[1]];
+    const Strain sum2 = row[rows_.axis[2]];
+    row[rows_.axis[0]] = with_entry(rows_.c[Row][0], weights[0], sum0);
+    row[rows_.axis[1]] = with_entry(rows_.c[Row][1], weights[1], sum1);
+    row[rows_.axis[2]] = with_entry(rows_.c[Row][2], weights[2], sum2);
   }
   PALPATE_ALWAYS_INLINE static Strain with_entry(Position c, Q<0, 31> weight, Strain sum) {
     using Twice = Q<3, 28>;  // |A| <= 4
     return multiply_add_high(Twice::from_raw(c.raw() * (2 << kSize)), weight, sum);
   }
 
-  /// mu h / 2^t, at most 1/12.
-  PALPATE_ALWAYS_INLINE static Q<1, 30> shear(const Material& material) {
-    static_assert(ShearCoefficient::kFractionBits == 31);
-    return Q<1, 30>::from_raw(material.shear.raw() >> (1 + kSize + kTypeBits));
+  /// 2 mu h / 2^t, at most 1/6. Odd, so that no product of it and h is halfway between two numbers: products
+  /// of h and -h are then rounded to opposite ones, and a leaf at rest pulls at nothing.
+  PALPATE_ALWAYS_INLINE static Q<0, 31> twice_shear(const Material& material) {
+    return Q<0, 31>::from_raw((scaled<1 - kSize - kTypeBits>(material.shear.raw())) | 1);
   }
-  /// lambda h / 2^t.
-  PALPATE_ALWAYS_INLINE static BulkCoefficient bulk(const Material& material) {
-    return BulkCoefficient::from_raw(material.bulk.raw() >> (kSize + kTypeBits));
+  /// lambda h / 2^t times the trace, which is within 2 h.
+  PALPATE_ALWAYS_INLINE static FrameForce pressure(const Material& material, Position trace) {
+    constexpr int kShift = 3 - kSize - kTypeBits;
+    constexpr int kOfTrace = kShift > 0 ? kShift : 0;
+    return multiply_high<FrameForce>(Q<0, 31>::from_raw(scaled<kShift - kOfTrace>(material.bulk.raw())),
+                                     Position::from_raw(scaled<kOfTrace>(trace.raw())));
+  }
+  /// raw 2^Shift, cut where that is a fraction.
+  template <int Shift>
+  PALPATE_ALWAYS_INLINE static int32_t scaled(int32_t raw) {
+    if constexpr (Shift < 0) {
+      return raw >> -Shift;
+    } else {
+      return raw * (1 << Shift);
+    }
   }
 
   /// t_jk, component axis j of the force that pulls at g_k.
-  PALPATE_ALWAYS_INLINE void edge_forces(const Material& material, Force (&t)[3][3],
+  PALPATE_ALWAYS_INLINE void edge_forces(const Material& material, FrameForce (&t)[3][3],
                                          ClampFlag& clamped) const {
-    const Q<1, 30> mu = shear(material);
-    const Position stretch[3] = {with_sign(rows_.minus[0], rows_.c[0][0]),
-                                 with_sign(rows_.minus[1], rows_.c[1][1]),
-                                 with_sign(rows_.minus[2], rows_.c[2][2])};
-    const Position trace =
-        clamped.clamp<kTraceBits>(stretch[0] + stretch[1] + stretch[2] - (kEdge + kEdge + kEdge));
-    const Force pressure = multiply_high<Force>(bulk(material), Q<2, 29>::from_raw(trace.raw() * 4));
+    const auto& [c, axis, s] = rows_;
+    const Q<0, 31> twice_mu = twice_shear(material);
+    const Position stretches = times(s[0], c[0][0]) + times(s[1], c[1][1]) + times(s[2], c[2][2]);
+    const Position trace = clamped.clamp<kTraceBits>(stretches - (kEdge + kEdge + kEdge));
+    const FrameForce at_no_stretch = pressure(material, trace) - multiply_high<FrameForce>(twice_mu, kEdge);
     const auto normal = [&](int j) {
-      const Position twice_strain = stretch[j] + stretch[j] - (kEdge + kEdge);
-      t[j][j] =
-          with_sign(rows_.minus[j], clamped.clamp<kForceBits>(multiply_add_high(mu, twice_strain, pressure)));
+      t[j][j] = clamped.clamp<kForceBits>(multiply_add_high(twice_mu, c[j][j], times(s[j], at_no_stretch)));
     };
+    const auto mu = Q<0, 31>::from_raw(twice_mu.raw() >> 1);
     const auto tangential = [&](int j, int k) {
-      const int32_t minus = rows_.minus[j] ^ rows_.minus[k];
-      const Position twice_strain = rows_.c[j][k] + with_sign(minus, rows_.c[k][j]);
-      t[j][k] = clamped.clamp<kForceBits>(multiply_high<Force>(mu, twice_strain));
-      t[k][j] = with_sign(minus, t[j][k]);
+      const int32_t sign = s[j] * s[k];
+      const Position twice_strain = c[j][k] + times(sign, c[k][j]);
+      t[j][k] = clamped.clamp<kForceBits>(multiply_high<FrameForce>(mu, twice_strain));
+      t[k][j] = times(sign, t[j][k]);
     };
     normal(0);
     normal(1);
@@ -150,14 +179,15 @@ class LeafForce {
   /// All of a row is loaded before any of it is stored: a load may have to wait for a store that might meet
   /// it.
   template <int Row>
-  PALPATE_ALWAYS_INLINE void scatter_row(const Force (&t)[3], Vector3<Force>& f0, Vector3<Force>& f1,
-                                         Vector3<Force>& f2, Vector3<Force>& f3) const {
+  PALPATE_ALWAYS_INLINE void scatter_row(const FrameForce (&t)[3], Vector3<FrameForce>& f0,
+                                         Vector3<FrameForce>& f1, Vector3<FrameForce>& f2,
+                                         Vector3<FrameForce>& f3) const {
     const auto& [t1, t2, t3] = t;
     const uint32_t axis = rows_.axis[Row];
-    const Force sum0 = f0.data()[axis];
-    const Force sum1 = f1.data()[axis];
-    const Force sum2 = f2.data()[axis];
-    const Force sum3 = f3.data()[axis];
+    const FrameForce sum0 = f0.data()[axis];
+    const FrameForce sum1 = f1.data()[axis];
+    const FrameForce sum2 = f2.data()[axis];
+    const FrameForce sum3 = f3.data()[axis];
     f0.data()[axis] = sum0 + (kType == TetType::kType0 ? t1 : kType == TetType::kType1 ? t1 + t3 : t1 + t2);
     f1.data()[axis] = sum1 + (t2 - t1);
     f2.data()[axis] = sum2 + (kType == TetType::kType2 ? (t3 - t2) + (t3 - t2) : t3 - t2);

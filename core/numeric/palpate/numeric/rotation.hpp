@@ -21,7 +21,7 @@ struct Quaternion {
 RotationMatrix rotation_matrix(const Quaternion& q);
 
 /// q / |q| for |q|^2 in [0.5, 2), or below by a rounding, as halfway between rotations half a turn apart.
-/// Error: 2 LSB. Cost: one reciprocal root and 9 multiplies.
+/// Error: 1 LSB. Cost: one reciprocal root and 8 multiplies.
 Quaternion normalised(const Quaternion& q);
 
 /// `fraction` (0 .. 1) of the way from one rotation to another, the short way: from + fraction (to - from),
