@@ -153,7 +153,8 @@ class LeafForce {
   /// t_jk, component axis j of the force that pulls at g_k.
   PALPATE_ALWAYS_INLINE void edge_forces(const Material& material, FrameForce (&t)[3][3],
                                          ClampFlag& clamped) const {
-    const auto& [c, axis, s] = rows_;
+    const auto& c = rows_.c;
+    const auto& s = rows_.sign;
     const Q<0, 31> twice_mu = twice_shear(material);
     const Position stretches = times(s[0], c[0][0]) + times(s[1], c[1][1]) + times(s[2], c[2][2]);
     const Position trace = clamped.clamp<kTraceBits>(stretches - (kEdge + kEdge + kEdge));
