@@ -86,10 +86,14 @@ void run_wild(firmware::Run& run, uint32_t seed) {
     if (tick > 1) wild.shake();
     run_tick(run, seed, tick);
   }
+  wild.take_nodes();
+  port::on_tick();
+  wild.give_back_nodes();
+  require_whole(run, seed, kWildTicks + 1);
   wild.damage();
   port::on_tick();
   wild.repair();
-  require_whole(run, seed, kWildTicks + 1);
+  require_whole(run, seed, kWildTicks + 2);
 }
 
 /// What happens around a cycle: it is late, the run is to be held after it, and it stands still for good.

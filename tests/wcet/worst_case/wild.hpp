@@ -47,6 +47,15 @@ class Wild {
     run_.state.invariants.is_broken = false;
   }
 
+  /// All nodes that are free, for a tick that finds none for its patches.
+  void take_nodes() {
+    taken_ = 0;
+    for (; core_.forest.nodes.used() < Profile::kNodes; ++taken_) took_[taken_] = core_.forest.nodes.take();
+  }
+  void give_back_nodes() {
+    for (uint32_t i = 0; i < taken_; ++i) core_.forest.nodes.release(took_[i]);
+  }
+
  private:
   /// Of any size, and any sign.
   [[nodiscard]] int32_t raw() {
@@ -191,6 +200,8 @@ class Wild {
   firmware::Scene scene_;  // as it was set up: the tool is at the body's origin
   Draw draw_;
   Leaf whole_{};
+  inline static std::array<uint16_t, Profile::kNodes> took_{};  // too large for the stack
+  uint32_t taken_ = 0;
 };
 
 }  // namespace palpate::worst_case

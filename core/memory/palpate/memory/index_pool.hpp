@@ -41,8 +41,11 @@ class IndexPool {
   }
 
   /// A free index, or kNone (counted as refused) when all are in use.
-  [[nodiscard]] uint16_t allocate() {
-    if (!has_room(1)) return kNone;
+  [[nodiscard]] uint16_t allocate() { return has_room(1) ? take() : kNone; }
+
+  /// A free index, where has_room was asked.
+  [[nodiscard]] uint16_t take() {
+    check(used_ < Capacity, "took an index from a full pool");
     const uint16_t index = order_[used_];
     ++used_;
     if (used_ > counters_.peak) counters_.peak = used_;

@@ -29,7 +29,7 @@ void split_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   const uint16_t slot0 = forest.tet[parent].link();
   const Leaf old = forest.leaf[slot0];
   const uint32_t end = refinement_end(type_of_level(old.level()));
-  const uint16_t pair = forest.pairs.allocate(parent, static_cast<uint8_t>(old.level() + 1));
+  const uint16_t pair = forest.pairs.take(parent, static_cast<uint8_t>(old.level() + 1));
   const auto child0 = static_cast<uint16_t>(2 * pair);
   const auto child1 = static_cast<uint16_t>(2 * pair + 1);
   const uint16_t slot1 = forest.leaf_count;
@@ -127,7 +127,7 @@ void join_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
 
 template <class Profile>
 uint16_t make_middle_node(Forest<Profile>& forest, uint16_t end0, uint16_t end1) {
-  const uint16_t middle = forest.nodes.allocate();
+  const uint16_t middle = forest.nodes.take();
   auto& node = forest.node;
   node.rest[middle] = midpoint(node.rest[end0], node.rest[end1]);
   node.mass[middle] = 0;

@@ -35,7 +35,12 @@ class SiblingPairs {
   /// The children of `parent` at `level`; of two roots, which come in pairs too, kNone at level 0. kNone
   /// (counted as refused) when all pairs are in use.
   [[nodiscard]] uint16_t allocate(uint16_t parent, uint8_t level) {
-    if (!has_room(1)) return kNone;
+    return has_room(1) ? take(parent, level) : kNone;
+  }
+
+  /// The same, where has_room was asked.
+  [[nodiscard]] uint16_t take(uint16_t parent, uint8_t level) {
+    check(used_ < Capacity, "took a pair where none is free");
     const uint16_t pair = free_;
     free_ = parent_or_next_[pair];
     parent_or_next_[pair] = parent;
