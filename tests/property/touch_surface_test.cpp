@@ -50,7 +50,7 @@ void expect_complete(const Forest<Profile>& forest, const Candidates<Profile>& f
                      double range) {
   std::set<std::set<uint16_t>> listed;
   for (uint32_t i = 0; i < found.count; ++i) {
-    const FaceNodes& node = found.face[i].node;
+    const FaceNodes node = nodes_of(forest, found.face[i]);
     ASSERT_TRUE(listed.insert({node[0], node[1], node[2]}).second);
   }
   for (const Face& face : faces_of(forest)) {

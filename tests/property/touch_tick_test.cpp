@@ -239,6 +239,33 @@ TEST(TouchTick, AGraspIsNotAContact) {
   EXPECT_GT(before.norm(), 0.0);
 }
 
+/// A look for a node to hold on to that finds none is instead of the contact's step: it stays as it was for
+/// that tick, and goes on in the next.
+TEST(TouchTick, AGraspInVainLeavesTheContactForATick) {
+  Model model = light_bar(0.0);
+  model.grasp_reach = Position::ratio(1, 64);
+  const auto state = started<FullBar>(model);
+  const auto tool = [](int i) {
+    return tool_at({kSide + kRadius + 0.05 - 0.1 * smooth(i / 500.0), 0.03, 0.05});
+  };
+  for (int i = 0; i < 400; ++i) (void)tick_once(*state, tool(i));
+  ASSERT_TRUE(state->contact.is_touching);
+  const Contact before = state->contact;
+  TickInput input = tool(400);
+  input.close_grasp = true;
+  const TickOutput output = tick_once(*state, input);
+  EXPECT_TRUE(has(output, TickFlag::kTouching));
+  EXPECT_FALSE(has(output, TickFlag::kGrasping));
+  EXPECT_EQ(state->contact.proxy, before.proxy);
+  EXPECT_EQ(state->contact.force, before.force);
+  input = tool(401);
+  input.close_grasp = true;
+  (void)tick_once(*state, input);
+  EXPECT_TRUE(state->contact.is_touching);
+  EXPECT_NE(state->contact.proxy, before.proxy);
+  EXPECT_NE(state->contact.force, before.force);
+}
+
 /// The tool's force may change slowly; the body's must not, or it would be pushed long after it has turned. A
 /// body that swings against a tool that is held comes to rest.
 TEST(TouchTick, ABodyThatSwingsAgainstAHeldToolComesToRest) {

@@ -134,6 +134,10 @@ TEST(TouchTriangle, DirectionsAndQuotientsAreExactAtEverySize) {
     const auto v = fixed_vector<Position>(Vector3d(size * random.vector()));
     if (v == zero_vector<Position>()) continue;
     direction_error = std::max(direction_error, (doubles(direction_of(v)) - doubles(v).normalized()).norm());
+    const int32_t whole = 1 + static_cast<int32_t>(random.below(1u << 30));
+    const auto part = static_cast<int32_t>(random.below(static_cast<uint32_t>(whole) + 1u));
+    const double of_words = sim::to_double(fraction_of(part, whole)) - static_cast<double>(part) / whole;
+    quotient_error = std::max(quotient_error, std::abs(of_words));
     EXPECT_NEAR(sim::to_double(component_along(v, direction_of(v))), doubles(v).norm(), 16 * kLsb);
     const auto denominator = static_cast<int64_t>(std::exp2(62.0 * random.unit()));
     const auto numerator = static_cast<int64_t>(random.unit() * static_cast<double>(denominator));
@@ -145,6 +149,11 @@ TEST(TouchTriangle, DirectionsAndQuotientsAreExactAtEverySize) {
               std::ldexp(direction_error, 30), std::ldexp(quotient_error, 30));
   EXPECT_LE(std::ldexp(direction_error, 30), 4.0);
   EXPECT_LE(std::ldexp(quotient_error, 30), 4.0);
+  EXPECT_EQ(fraction_of(1 << 30, 1 << 30), kFullFraction);
+  EXPECT_EQ(fraction_of(int64_t{1} << 62, int64_t{1} << 62), kFullFraction);
+  EXPECT_EQ(fraction_of(int64_t{-1}, int64_t{5}).raw(), 0);
+  EXPECT_EQ(fraction_of(int64_t{5}, int64_t{0}).raw(), 0);
+  EXPECT_EQ(fraction_of(int64_t{6}, int64_t{5}), kFullFraction);
   EXPECT_EQ(fraction_of(-1, 5).raw(), 0);
   EXPECT_EQ(fraction_of(0, 0).raw(), 0);
   EXPECT_EQ(fraction_of(5, 5), kFullFraction);

@@ -22,7 +22,9 @@ class GraspTest : public testing::Test {
   }
 
   void update(const Vector3d& tool, bool close) {
-    update_grasp(*forest_, fixed_vector<Position>(tool), close, kReach, grasp_);
+    if (opened_or_closes(*forest_, close, grasp_)) {
+      close_grasp(*forest_, fixed_vector<Position>(tool), kReach, grasp_);
+    }
   }
 
   static constexpr Position kReach = Position::ratio(1, 4);

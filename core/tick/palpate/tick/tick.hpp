@@ -32,18 +32,29 @@ void touch_surface(State<Profile>& state, const Vector3<Position>& tool, bool ha
   ContactStep<Profile>(state.forest, state.model.contact, state.candidates, state.contact).run(tool);
 }
 
+/// A look for a node to hold on to takes a contact's place in its tick, as a pass over all nodes of its own:
+/// where none is in reach the contact stays for this tick as it was.
+template <class Profile>
+void take_hold(State<Profile>& state, const Vector3<Position>& tool) {
+  close_grasp(state.forest, tool, state.model.grasp_reach, state.grasp);
+  if (state.grasp.holds() && state.model.contact.is_on()) state.contact.clear();
+}
+
 template <class Profile>
 PALPATE_NOINLINE void touch(State<Profile>& state, const TickInput& input) {
   const Vector3<Position> tool = within_position_limit(input.tool);
   const bool was_held = state.grasp.holds();
-  update_grasp(state.forest, tool, input.close_grasp && input.has_tool, state.model.grasp_reach, state.grasp);
+  if (opened_or_closes(state.forest, input.close_grasp && input.has_tool, state.grasp)) {
+    take_hold(state, tool);
+  } else {
+    touch_surface(state, tool, input.has_tool);
+  }
   state.driven.node = state.grasp.node;
   // Each within +-4 and +-8 edges: the sum fits Position.
   const Vector3<Position> goal = tool + state.grasp.offset;
   const Vector3<Position> target = within_position_limit(goal);
   const bool is_eased = state.model.contact.is_on() && was_held;
   state.driven.target = is_eased ? eased(state.driven.target, target) : target;
-  touch_surface(state, tool, input.has_tool);
 }
 
 template <class Profile>

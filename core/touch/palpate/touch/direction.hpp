@@ -13,22 +13,61 @@ using Direction = Vector3<Fraction>;
 
 inline constexpr Fraction kFullFraction = Fraction::ratio(1, 1);
 
-/// Number of zero bits above the highest set bit, 0 .. 63. x must not be 0.
+/// Number of zero bits above the highest set bit, 0 .. 63. x must not be 0. No branch.
 constexpr int leading_zeros_of_64(uint64_t x) {
   const auto high = static_cast<uint32_t>(x >> 32);
-  return high != 0 ? leading_zeros(high) : 32 + leading_zeros(static_cast<uint32_t>(x));
+  const uint32_t is_low = high == 0 ? 1 : 0;
+  return leading_zeros(high | (static_cast<uint32_t>(x) & (0u - is_low))) + static_cast<int>(32u * is_low);
 }
 
-/// numerator / denominator within 0 .. 1; 0 for a numerator below 0 or a denominator of 0. Error 4 LSB.
-inline Fraction fraction_of(int64_t numerator, int64_t denominator) {
-  if (numerator <= 0 || denominator <= 0) return Fraction::from_raw(0);
-  if (numerator >= denominator) return kFullFraction;
-  const int room = leading_zeros_of_64(static_cast<uint64_t>(denominator)) - 1;
-  const auto top = [room](int64_t x) {
-    return Q<0, 31>::from_raw(static_cast<int32_t>(static_cast<uint64_t>(x) << room >> 32));
-  };
-  const auto quotient = narrow<Fraction>(top(numerator) * reciprocal_normalised(top(denominator)));
-  return quotient > kFullFraction ? kFullFraction : quotient;
+/// All ones for a number below 0, else 0.
+template <class Integer>
+constexpr Integer if_below(Integer x) {
+  return static_cast<Integer>(x >> (8 * static_cast<int>(sizeof(Integer)) - 1));
+}
+/// x, or 0 for less. No branch.
+template <class Integer>
+constexpr Integer not_below_zero(Integer x) {
+  return x & ~if_below(x);
+}
+
+/// Parts of one whole, a number of 32 or 64 bits above 0: a reciprocal, and a multiply for each of them.
+template <class Integer>
+class PartsOf {
+ public:
+  explicit PartsOf(Integer whole)
+      : room_(room_above(whole)), reciprocal_(reciprocal_normalised(top(whole))) {}
+  /// part / whole of 0 <= part <= whole, at most 1. Error 4 LSB.
+  [[nodiscard]] Fraction operator()(Integer part) const {
+    const int32_t above = (narrow<Fraction>(top(part) * reciprocal_) - kFullFraction).raw();
+    return kFullFraction + Fraction::from_raw(above & if_below(above));
+  }
+
+ private:
+  static constexpr bool kIsLong = sizeof(Integer) == 8;
+
+  static int room_above(Integer whole) {
+    if constexpr (kIsLong) return leading_zeros_of_64(static_cast<uint64_t>(whole)) - 1;
+    if constexpr (!kIsLong) return leading_zeros(static_cast<uint32_t>(whole)) - 1;
+  }
+  [[nodiscard]] Q<0, 31> top(Integer x) const {
+    const auto shifted = static_cast<std::make_unsigned_t<Integer>>(x) << room_;
+    if constexpr (kIsLong) return Q<0, 31>::from_raw(static_cast<int32_t>(shifted >> 32));
+    if constexpr (!kIsLong) return Q<0, 31>::from_raw(static_cast<int32_t>(shifted));
+  }
+  int room_;
+  Fraction reciprocal_;
+};
+
+/// numerator / denominator within 0 .. 1, exactly 1 for a numerator that is not less; 0 for a numerator below
+/// 0 or a denominator of 0. Both are less than half of what they hold. Error 4 LSB. No branch.
+template <class Integer>
+Fraction fraction_of(Integer numerator, Integer denominator) {
+  const Integer whole = 1 + not_below_zero(denominator - 1);
+  const Integer part = not_below_zero(numerator) & ~if_below(denominator - 1);
+  const Integer missing = not_below_zero(whole - part);
+  const int32_t less = (PartsOf<Integer>(whole)(whole - missing) - kFullFraction).raw();
+  return kFullFraction + Fraction::from_raw(less & static_cast<int32_t>(if_below(-missing)));
 }
 
 /// v / |v|, zero for a zero vector. The square of the raw numbers is below 2^63: 16 edges, 107

@@ -21,27 +21,31 @@ template <class Profile>
 [[nodiscard]] uint16_t nearest_node(const Forest<Profile>& forest, const Vector3<Position>& tool,
                                     Position reach) {
   constexpr int kBits = 2 * Position::kFractionBits;
-  Acc<kBits> least = reach * reach;
+  Acc<kBits> least = reach * reach + Acc<kBits>::from_raw(1);
   uint16_t nearest = kNone;
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
     const uint16_t node = forest.nodes.live(i);
     const Acc<kBits> square = square_of(Vector3<Position>(forest.node.position[node] - tool));
-    const bool closer = square < least || (square == least && nearest == kNone);
+    const bool closer = square < least;
     least = closer ? square : least;
     nearest = closer ? node : nearest;
   }
   return nearest;
 }
 
-/// Closes on the rising edge of `close`, opens when it falls or when the node is gone.
+/// Opens when `close` falls or when the node is gone. True on its rising edge: the grasp is to close.
 template <class Profile>
-void update_grasp(const Forest<Profile>& forest, const Vector3<Position>& tool, bool close, Position reach,
-                  Grasp& grasp) {
+[[nodiscard]] bool opened_or_closes(const Forest<Profile>& forest, bool close, Grasp& grasp) {
   const bool closes = close && !grasp.was_closed;
   const bool opens = !close || (grasp.holds() && !forest.nodes.is_live(grasp.node));
   grasp.was_closed = close;
   if (opens) grasp.node = kNone;
-  if (!closes) return;
+  return closes;
+}
+
+/// On the node that is nearest, if one is in reach. O(nodes).
+template <class Profile>
+void close_grasp(const Forest<Profile>& forest, const Vector3<Position>& tool, Position reach, Grasp& grasp) {
   const uint16_t node = nearest_node(forest, tool, reach);
   if (node == kNone) return;
   grasp.node = node;

@@ -31,9 +31,9 @@ inline bool is_in_tet(const std::array<Offset, 4>& corner) {
   const int64_t v1 = -volume(corner[0], corner[2], corner[3]);
   const int64_t v2 = volume(corner[0], corner[1], corner[3]);
   const int64_t v3 = -volume(corner[0], corner[1], corner[2]);
-  const bool has_none_below = v0 >= 0 && v1 >= 0 && v2 >= 0 && v3 >= 0;
-  const bool has_none_above = v0 <= 0 && v1 <= 0 && v2 <= 0 && v3 <= 0;
-  return has_none_below || has_none_above;
+  const bool has_below = (v0 | v1 | v2 | v3) < 0;
+  const bool has_above = (-v0 | -v1 | -v2 | -v3) < 0;
+  return !(has_below && has_above);
 }
 
 }  // namespace inside_detail
@@ -49,18 +49,22 @@ template <class Profile>
                              Sides<Profile>& sides) {
   namespace detail = inside_detail;
   sides.find(forest, x, Position::from_raw(0));
-  bool is_in = false;
-  auto boxes = bounded_total<kMostBoxes>([] {});
+  // One more than are looked at, which tells that there are more.
+  std::array<uint32_t, kMostBoxes + 2> place;
+  uint32_t count = 0;
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    const Leaf& leaf = forest.leaf[i];
-    if (sides.is_beyond(leaf)) continue;
-    if (boxes.left() == 0) return true;
-    for ([[maybe_unused]] const uint32_t box : boxes.take(0, 1)) {
-      const auto from_x = [&](uint32_t place) {
-        return detail::offset(x, forest.node.position[leaf.node[place]]);
-      };
-      is_in = is_in || detail::is_in_tet({from_x(0), from_x(1), from_x(2), from_x(3)});
-    }
+    place[count] = i;
+    count += sides.is_beyond(forest.leaf[i]) ? 0u : 1u;
+    count = count <= kMostBoxes ? count : kMostBoxes + 1;
+  }
+  if (count > kMostBoxes) return true;
+  bool is_in = false;
+  for (const uint32_t i : bounded<kMostBoxes>(count, [] {})) {
+    const Leaf& leaf = forest.leaf[place[i]];
+    const auto from_x = [&](uint32_t corner) {
+      return detail::offset(x, forest.node.position[leaf.node[corner]]);
+    };
+    is_in = detail::is_in_tet({from_x(0), from_x(1), from_x(2), from_x(3)}) || is_in;
   }
   return is_in;
 }

@@ -19,93 +19,145 @@ namespace palpate {
 /// Nodes of a face, counterclockwise as seen from outside.
 using FaceNodes = std::array<uint16_t, 3>;
 
-/// Whether g1, g2, g3 of a leaf are a left-handed system at rest.
-inline bool is_mirrored(Axes axes) {
-  const bool odd = !is_even_order(axes.axis(0), axes.axis(1));
-  return (odd != axes.is_negative(0)) != (axes.is_negative(1) != axes.is_negative(2));
+/// 1 when g1, g2, g3 of a leaf are a left-handed system at rest, else 0. No branch.
+inline uint32_t is_mirrored(Axes axes) {
+  constexpr uint32_t kEven = 1u << (0 + 4 * 1) | 1u << (1 + 4 * 2) | 1u << (2 + 4 * 0);
+  const uint32_t is_even = kEven >> (axes.axis(0) + 4 * axes.axis(1));
+  const auto sign = [axes](uint32_t k) { return axes.is_negative(k) ? 1u : 0u; };
+  return (~is_even ^ sign(0) ^ sign(1) ^ sign(2)) & 1u;
 }
 
 /// The face opposite w_face. What is outside follows from the rest shape, so a tet that is inside out does
-/// not turn it.
+/// not turn it. No branch.
 inline FaceNodes face_nodes(const Leaf& leaf, uint32_t face) {
-  constexpr uint8_t kPlaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-  const uint8_t* place = kPlaces[face];
-  const bool swap = is_mirrored(leaf.axes());
-  return FaceNodes{leaf.node[place[0]], leaf.node[place[swap ? 2 : 1]], leaf.node[place[swap ? 1 : 2]]};
+  // Of each face the places in the leaf, two bits each from the lowest: 1 2 3, 0 3 2, 0 1 3, 0 2 1.
+  constexpr uint32_t kPlaces = 0x39u | 0x2cu << 8 | 0x34u << 16 | 0x18u << 24;
+  const uint32_t places = kPlaces >> (8 * face);
+  const uint32_t second = places >> 2 & 3u;
+  const uint32_t third = places >> 4 & 3u;
+  const uint32_t swapped = (second ^ third) & (0u - is_mirrored(leaf.axes()));
+  return FaceNodes{leaf.node[places & 3u], leaf.node[second ^ swapped], leaf.node[third ^ swapped]};
 }
 
 struct Candidate {
-  FaceNodes node;
+  uint32_t face;   // four times its leaf's place, and w_face
   Position bound;  // the face is at least this far from where the search was
 };
+
+template <class Profile>
+[[nodiscard]] FaceNodes nodes_of(const Forest<Profile>& forest, const Candidate& candidate) {
+  return face_nodes(forest.leaf[candidate.face >> 2], candidate.face & 3u);
+}
 
 template <class Profile>
 struct Candidates {
   static constexpr uint32_t kMost = Profile::kContactCandidates;
   static constexpr uint32_t kLooks = 3 * kMost;  // at faces in reach
+  // One more than can be looked at: where it is taken, not all were.
+  static constexpr uint32_t kListed = kLooks + 1;
+  union {
+    Sides<Profile> sides;  // scratch of a search, until all leaves are listed
+    std::array<Candidate, kMost + 1> face;
+  };
+  // Scratch of a search: the place of a leaf and its Sides::faces_in_reach, and 0 behind the last one.
+  std::array<uint32_t, kListed + 1> listed;
   uint32_t count;
   Position range;
-  std::array<Candidate, kMost> face;
-  Sides<Profile> sides;
 };
 
 namespace surface_detail {
+
+/// Of coordinates: their difference fits. No branch.
+inline Position smaller(Position a, Position b) {
+  const int32_t from_b = (a - b).raw();
+  return b + Position::from_raw(from_b & (from_b >> 31));
+}
+inline Position larger(Position a, Position b) {
+  const int32_t from_b = (a - b).raw();
+  return a - Position::from_raw(from_b & (from_b >> 31));
+}
+
+/// 1 for a face that may be as near as `range`, else 0.
+inline uint32_t is_within(Position bound, Position range) { return bound <= range ? 1 : 0; }
 
 /// Distance to the box around a triangle in the maximum norm: never more than that to the triangle.
 inline Position distance_to_box(const Vector3<Position>& a, const Vector3<Position>& b,
                                 const Vector3<Position>& c, const Vector3<Position>& x) {
   const auto along = [&](Eigen::Index axis) {
-    const Position low_ab = a[axis] < b[axis] ? a[axis] : b[axis];
-    const Position high_ab = a[axis] < b[axis] ? b[axis] : a[axis];
-    const Position low = (c[axis] < low_ab ? c[axis] : low_ab) - x[axis];
-    const Position high = x[axis] - (c[axis] > high_ab ? c[axis] : high_ab);
-    return low > high ? low : high;
+    const Position low = smaller(c[axis], smaller(a[axis], b[axis]));
+    const Position high = larger(c[axis], larger(a[axis], b[axis]));
+    return larger(low - x[axis], x[axis] - high);
   };
-  const auto larger = [](Position p, Position q) { return p > q ? p : q; };
   return larger(larger(along(0), along(1)), larger(along(2), Position::from_raw(0)));
 }
 
 inline constexpr uint32_t kTightenings = 8;
 
+/// A search's state: how many are kept, and how near the surface is known.
+struct Room {
+  uint32_t count;
+  Position range;
+};
+
 /// Lowers the range by a quarter at least, but not below the nearest candidate's bound, and drops what is
 /// beyond: one at least, unless all are equally near.
 template <class Profile>
-void tighten(Candidates<Profile>& found) {
+PALPATE_ALWAYS_INLINE Room tightened(Room room, Candidates<Profile>& found) {
   constexpr uint32_t kMost = Candidates<Profile>::kMost;
   Position low = found.face[0].bound;
   Position high = low;
-  for (const uint32_t i : bounded<kMost>(found.count, [] {})) {
+  for (const uint32_t i : bounded<kMost>(room.count, [] {})) {
     const Position bound = found.face[i].bound;
-    low = bound < low ? bound : low;
-    high = bound > high ? bound : high;
+    low = smaller(bound, low);
+    high = larger(bound, high);
   }
   const Position middle = Position::from_raw(low.raw() + (high.raw() - low.raw()) / 2);
-  const Position less = Position::from_raw(found.range.raw() - found.range.raw() / 4);
-  const Position wanted = middle < less ? middle : less;
-  const Position kept_range = wanted > low ? wanted : low;
-  found.range = kept_range < found.range ? kept_range : found.range;
+  const Position less = Position::from_raw(room.range.raw() - room.range.raw() / 4);
+  const Position range = smaller(larger(smaller(middle, less), low), room.range);
   uint32_t kept = 0;
-  for (const uint32_t i : bounded<kMost>(found.count, [] {})) {
-    if (found.face[i].bound > found.range) continue;
-    found.face[kept] = found.face[i];
-    ++kept;
+  for (const uint32_t i : bounded<kMost>(room.count, [] {})) {
+    const uint32_t face = found.face[i].face;
+    const Position bound = found.face[i].bound;
+    found.face[kept].face = face;
+    found.face[kept].bound = bound;
+    kept += is_within(bound, range);
   }
-  found.count = kept;
+  return Room{kept, range};
 }
 
+/// Keeps it where it is in range and there is room for it. Where there is none the range ends before it.
 template <class Profile, class Total>
-void offer(const FaceNodes& node, Position bound, Total& tightenings, Candidates<Profile>& found) {
-  const bool is_full = found.count == Candidates<Profile>::kMost;
-  const uint32_t wanted = is_full && tightenings.left() > 0 ? 1 : 0;
-  for ([[maybe_unused]] const uint32_t i : tightenings.take(0, wanted)) tighten(found);
-  if (bound > found.range) return;
-  if (found.count == Candidates<Profile>::kMost) {
-    // No room for it: the range ends before it.
-    found.range = bound - Position::from_raw(1);
-    return;
+PALPATE_ALWAYS_INLINE Room offered(Room room, const Candidate& candidate, Total& tightenings,
+                                   Candidates<Profile>& found) {
+  constexpr uint32_t kMost = Candidates<Profile>::kMost;
+  const uint32_t has_left = tightenings.left() > 0 ? 1 : 0;
+  const uint32_t is_too_many = room.count == kMost ? has_left : 0;
+  const uint32_t wanted = is_within(candidate.bound, room.range) & is_too_many;
+  for ([[maybe_unused]] const uint32_t i : tightenings.take(0, wanted)) room = tightened(room, found);
+  found.face[room.count].face = candidate.face;
+  found.face[room.count].bound = candidate.bound;
+  // Below 0 where it is in range.
+  const int32_t beyond = (candidate.bound - Position::from_raw(1) - room.range).raw();
+  const int32_t has_room = static_cast<int32_t>(room.count - kMost) >> 31;
+  return Room{room.count + (static_cast<uint32_t>(beyond & has_room) >> 31),
+              room.range + Position::from_raw(beyond & (beyond >> 31) & ~has_room)};
+}
+
+/// How many leaves have faces in reach: those that are listed.
+template <class Profile>
+uint32_t list_leaves(const Forest<Profile>& forest, Candidates<Profile>& found) {
+  constexpr uint32_t kListed = Candidates<Profile>::kListed;
+  static_assert(Profile::kLeaves <= 1u << Sides<Profile>::kFreeBits,
+                "palpate: a leaf's place and its faces in reach share a word");
+  uint32_t count = 0;
+  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
+    const uint32_t faces = found.sides.faces_in_reach(forest.leaf[i]);
+    found.listed[count] = faces | i;
+    count += faces != 0 ? 1 : 0;
+    count = count < kListed ? count : kListed;
   }
-  found.face[found.count] = Candidate{node, bound};
-  ++found.count;
+  found.listed[count] = 0;
+  return count;
 }
 
 }  // namespace surface_detail
@@ -118,30 +170,33 @@ template <class Profile, uint32_t Tightenings = surface_detail::kTightenings,
           uint32_t Looks = Candidates<Profile>::kLooks>
 void find_candidates(const Forest<Profile>& forest, const Vector3<Position>& centre, Position range,
                      Candidates<Profile>& found) {
-  found.count = 0;
-  found.range = range;
+  constexpr uint32_t kPlace = (1u << Sides<Profile>::kFreeBits) - 1u;
   found.sides.find(forest, centre, range);
-  const auto& x = forest.node.position;
+  const uint32_t leaves = surface_detail::list_leaves(forest, found);
+  surface_detail::Room room{0, range};
   auto tightenings = bounded_total<Tightenings>([] {});
-  auto looks = bounded_total<Looks>([] {});
-  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    const Leaf& leaf = forest.leaf[i];
-    uint32_t faces = found.sides.faces_in_reach(leaf);
-    if (faces == 0) continue;
-    const uint32_t in_pairs = faces - ((faces >> 1) & 5u);
-    const uint32_t count = (in_pairs & 3u) + (in_pairs >> 2);
-    if (looks.left() < count) {
-      found.range = Position::from_raw(-1);
-      return;
-    }
-    for ([[maybe_unused]] const uint32_t look : looks.take(0, count)) {
-      const auto face = static_cast<uint32_t>(31 - leading_zeros(faces));
-      faces ^= 1u << face;
-      const FaceNodes node = face_nodes(leaf, face);
-      const Position bound = surface_detail::distance_to_box(x[node[0]], x[node[1]], x[node[2]], centre);
-      if (bound <= found.range) surface_detail::offer(node, bound, tightenings, found);
-    }
+  // Face by face in one loop: the next leaf comes when the one before has no face left.
+  uint32_t next = 0;
+  uint32_t place = 0;
+  uint32_t faces = 0;
+  for ([[maybe_unused]] const uint32_t look : bounded<Looks>(Looks, [] {})) {
+    const uint32_t is_next = faces == 0 ? 1 : 0;
+    const uint32_t listed = found.listed[next];
+    place = is_next != 0 ? listed & kPlace : place;
+    faces = is_next != 0 ? Sides<Profile>::in_order(listed) : faces;
+    next += is_next;
+    if (faces == 0) break;
+    const auto face = static_cast<uint32_t>(31 - leading_zeros(faces));
+    faces ^= 1u << face;
+    const auto corner = [&](uint32_t k) -> const Vector3<Position>& {
+      return forest.node.position[forest.leaf[place].node[(face + k) & 3u]];
+    };
+    const Position bound = surface_detail::distance_to_box(corner(1), corner(2), corner(3), centre);
+    room = surface_detail::offered(room, Candidate{4 * place + face, bound}, tightenings, found);
   }
+  const bool is_whole = faces == 0 && next >= leaves;
+  found.count = room.count;
+  found.range = is_whole ? room.range : Position::from_raw(-1);
 }
 
 /// All or none of them: where they do not all fit, the range is below 0.
@@ -171,31 +226,33 @@ template <class Profile, class Total>
   const auto& position = forest.node.position;
   constexpr auto kFar = Acc<2 * Position::kFractionBits>::from_raw(std::numeric_limits<int64_t>::max());
   auto least = kFar;
-  bool is_inner = false;
+  uint32_t best = 0;
+  const auto closest_on = [&](const FaceNodes& node) {
+    return closest_on_triangle(position[node[0]], position[node[1]], position[node[2]], x);
+  };
   for (const uint32_t i : bounded<Candidates<Profile>::kMost>(candidates.count, [] {})) {
-    const Candidate& candidate = candidates.face[i];
-    if (candidate.bound > within || looks.left() == 0) continue;
-    for ([[maybe_unused]] const uint32_t look : looks.take(0, 1)) {
-      const FaceNodes& node = candidate.node;
-      const TrianglePoint closest =
-          closest_on_triangle(position[node[0]], position[node[1]], position[node[2]], x);
+    const uint32_t has_left = looks.left() > 0 ? 1 : 0;
+    const uint32_t wanted = surface_detail::is_within(candidates.face[i].bound, within) & has_left;
+    for ([[maybe_unused]] const uint32_t look : looks.take(0, wanted)) {
+      const TrianglePoint closest = closest_on(nodes_of(forest, candidates.face[i]));
       const auto square = square_of(Vector3<Position>(x - closest.point));
-      if (square >= least) continue;
-      least = square;
-      is_inner = closest.is_inner;
-      nearest.node = node;
-      nearest.weight = closest.weight;
-      nearest.point = closest.point;
+      const bool is_closer = square < least;
+      least = is_closer ? square : least;
+      best = is_closer ? i : best;
     }
   }
   if (least == kFar) return false;
+  nearest.node = nodes_of(forest, candidates.face[best]);
+  const TrianglePoint closest = closest_on(nearest.node);
+  nearest.weight = closest.weight;
+  nearest.point = closest.point;
   // Nearer than this (60 nm at 64 mm) the direction is the rounding's.
   constexpr auto kOn = Acc<2 * Position::kFractionBits>::from_raw(int64_t{1} << 14);
   const Vector3<Position> d = x - nearest.point;
   const FaceNodes& node = nearest.node;
   const Direction face = triangle_normal(position[node[0]], position[node[1]], position[node[2]]);
   const bool is_on = least < kOn;
-  const bool is_behind = is_inner && dot(d, face).raw() < 0;
+  const bool is_behind = closest.is_inner && dot(d, face).raw() < 0;
   const Direction outwards = direction_of(d);
   const Position length = component_along(d, outwards);
   nearest.normal = is_on ? face : is_behind ? Direction(-outwards) : outwards;

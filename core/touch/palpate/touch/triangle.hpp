@@ -2,8 +2,9 @@
 //
 // With e1 = b - a, e2 = c - a, q = p - a the foot of the perpendicular is a + v e1 + w e2,
 //   v = (e2.e2 q.e1 - e1.e2 q.e2) / det,  w = (e1.e1 q.e2 - e1.e2 q.e1) / det,  det = e1.e1 e2.e2 - (e1.e2)^2
-// (normal equations). If it is outside, or the angle at a is below 1/512, the closest point is on an edge,
-// and the closest of the three edges' is taken.
+// (normal equations). If it is outside, the closest point is on an edge that it is outside of; of two such
+// edges, which meet at a corner, on the one along which the foot is not beyond that corner, and there is one
+// at most. If the angle at a is below 1/512 or near two right angles the triangle is its longest edge.
 #pragma once
 
 #include "palpate/mesh/lattice.hpp"
@@ -22,7 +23,8 @@ struct TrianglePoint {
 
 namespace triangle_detail {
 
-inline uint64_t size_of(int64_t x) { return static_cast<uint64_t>(x < 0 ? -x : x); }
+/// Of a number below 0 one less than its size. No branch.
+inline uint64_t size_of(int64_t x) { return static_cast<uint64_t>(x ^ (x >> 63)); }
 
 /// Brings numbers to one common scale, at which the largest of them has 30 bits and its sign. Rounded to
 /// nearest.
@@ -41,15 +43,19 @@ class CommonScale {
 
 /// Products of the vectors above with one common scale, 30 bits and a sign each.
 struct Products {
-  int64_t e11, e12, e22, q1, q2;
+  int32_t e11, e12, e22, q1, q2;
 };
 
-inline Products scaled(const Vector3<Position>& e1, const Vector3<Position>& e2, const Vector3<Position>& q) {
-  const Products p{square_of(e1).raw(), dot(e1, e2).raw(), square_of(e2).raw(), dot(q, e1).raw(),
-                   dot(q, e2).raw()};
-  const CommonScale scale(size_of(p.e11) | size_of(p.e12) | size_of(p.e22) | size_of(p.q1) | size_of(p.q2) |
-                          1u);
-  return Products{scale(p.e11), scale(p.e12), scale(p.e22), scale(p.q1), scale(p.q2)};
+PALPATE_ALWAYS_INLINE Products scaled(const Vector3<Position>& e1, const Vector3<Position>& e2,
+                                      const Vector3<Position>& q) {
+  const int64_t e11 = square_of(e1).raw();
+  const int64_t e12 = dot(e1, e2).raw();
+  const int64_t e22 = square_of(e2).raw();
+  const int64_t q1 = dot(q, e1).raw();
+  const int64_t q2 = dot(q, e2).raw();
+  // e12 is no larger than the larger one of e11 and e22.
+  const CommonScale scale(size_of(e11 | e22) | size_of(q1) | size_of(q2) | 1u);
+  return Products{scale(e11), scale(e12), scale(e22), scale(q1), scale(q2)};
 }
 
 struct Feet {
@@ -63,39 +69,86 @@ struct Feet {
   }
 };
 
+/// a b - c d.
+constexpr int64_t determinant(int32_t a, int32_t b, int32_t c, int32_t d) {
+  return int64_t{a} * b - int64_t{c} * d;
+}
+
+/// All ones for x <= 0, else 0.
+constexpr int32_t if_not_above(int64_t x) { return static_cast<int32_t>(if_below(x - 1)); }
+
+/// Which edge holds the closest point: one of the masks is all ones, the others 0.
+struct Edge {
+  int32_t ab, ac, bc;
+
+  [[nodiscard]] int32_t choose(int32_t of_ab, int32_t of_ac, int32_t of_bc) const {
+    return (of_ab & ab) | (of_ac & ac) | (of_bc & bc);
+  }
+};
+
+/// A quarter, so that it is a word, of |bc|^2, and of |bc| times how far along bc the foot of p is.
+struct AlongBc {
+  int32_t square, foot;
+};
+
+inline AlongBc along_bc(const Products& s) {
+  const int32_t corner = (s.e11 >> 2) - (s.e12 >> 2);
+  return AlongBc{corner + (s.e22 >> 2) - (s.e12 >> 2), corner + (s.q2 >> 2) - (s.q1 >> 2)};
+}
+
+/// The weights v, w of b and c and u of a, times the determinant.
+inline Edge edge_outside(const Products& s, const AlongBc& bc, int64_t v, int64_t w, int64_t u) {
+  const int32_t beyond_ab = if_not_above(w);
+  const int32_t beyond_ac = if_not_above(v);
+  const int32_t beyond_bc = if_not_above(u);
+  const int32_t is_ab = beyond_ab & ~(beyond_ac & if_below(-s.q2)) & ~(beyond_bc & if_below(-bc.foot));
+  const int32_t is_bc = beyond_bc & ~is_ab & ~(beyond_ac & ~if_below(bc.foot - bc.square));
+  return Edge{is_ab, ~(is_ab | is_bc), is_bc};
+}
+
+inline Edge longest_edge(const Products& s, const AlongBc& bc) {
+  const int32_t is_ab = ~if_below(s.e11 - s.e22) & ~if_below((s.e11 >> 2) - bc.square);
+  const int32_t is_ac = ~is_ab & ~if_below((s.e22 >> 2) - bc.square);
+  return Edge{is_ab, is_ac, ~(is_ab | is_ac)};
+}
+
 }  // namespace triangle_detail
 
 /// The point of triangle (a, b, c) closest to p; all within +-5 edges. Error: 4 LSB (2^-27 edge) in the
 /// distance for triangles of more than 1/4096 edge and angles above 1/32; below an angle of 1/512 the
-/// triangle's height at most. Cost: 23 products, 5 quotients, no loop.
+/// triangle's height at most. Cost: 23 products, one reciprocal, no loop.
 inline TrianglePoint closest_on_triangle(const Vector3<Position>& a, const Vector3<Position>& b,
                                          const Vector3<Position>& c, const Vector3<Position>& p) {
   constexpr int kFlat = 18;
   const triangle_detail::Feet feet{a, b - a, c - a};
   const auto s = triangle_detail::scaled(feet.e1, feet.e2, p - a);
-  const Fraction zero = Fraction::from_raw(0);
 
-  const int64_t det = s.e11 * s.e22 - s.e12 * s.e12;
-  const int64_t v = s.e22 * s.q1 - s.e12 * s.q2;
-  const int64_t w = s.e11 * s.q2 - s.e12 * s.q1;
-  if (v > 0 && w > 0 && v + w < det && det > (s.e11 * s.e22) >> kFlat) {
-    const Fraction part = fraction_of(v, det);
-    const Fraction other = fraction_of(w, det);
+  const int64_t v = triangle_detail::determinant(s.e22, s.q1, s.e12, s.q2);
+  const int64_t w = triangle_detail::determinant(s.e11, s.q2, s.e12, s.q1);
+  const int64_t det = triangle_detail::determinant(s.e11, s.e22, s.e12, s.e12);
+  const int64_t u = det - v - w;
+  const int32_t flat = triangle_detail::if_not_above(det - (int64_t{s.e11} * s.e22 >> kFlat));
+  const int32_t outside =
+      triangle_detail::if_not_above(v) | triangle_detail::if_not_above(w) | triangle_detail::if_not_above(u);
+  if ((outside | flat) == 0) {
+    const PartsOf<int64_t> whole(det);
+    const Fraction part = whole(v);
+    const Fraction other = whole(w);
     return feet.at(part, other > kFullFraction - part ? kFullFraction - part : other, true);
   }
 
-  const Fraction along_bc = fraction_of(s.q2 - s.q1 + s.e11 - s.e12, s.e11 + s.e22 - s.e12 - s.e12);
-  TrianglePoint nearest = feet.at(fraction_of(s.q1, s.e11), zero, false);
-  auto least = square_of(Vector3<Position>(p - nearest.point));
-  const auto offer = [&](const TrianglePoint& other) {
-    const auto square = square_of(Vector3<Position>(p - other.point));
-    if (square >= least) return;
-    least = square;
-    nearest = other;
+  const triangle_detail::AlongBc bc = triangle_detail::along_bc(s);
+  const triangle_detail::Edge of_plane = triangle_detail::edge_outside(s, bc, v, w, u);
+  const triangle_detail::Edge of_line = triangle_detail::longest_edge(s, bc);
+  const auto choose = [flat](int32_t if_plane, int32_t if_line) {
+    return (if_plane & ~flat) | (if_line & flat);
   };
-  offer(feet.at(zero, fraction_of(s.q2, s.e22), false));
-  offer(feet.at(kFullFraction - along_bc, along_bc, false));
-  return nearest;
+  const triangle_detail::Edge edge{choose(of_plane.ab, of_line.ab), choose(of_plane.ac, of_line.ac),
+                                   choose(of_plane.bc, of_line.bc)};
+  const int32_t along =
+      fraction_of(edge.choose(s.q1, s.q2, bc.foot), edge.choose(s.e11, s.e22, bc.square)).raw();
+  return feet.at(Fraction::from_raw(edge.choose(along, 0, kFullFraction.raw() - along)),
+                 Fraction::from_raw(along & ~edge.ab), false);
 }
 
 /// Unit normal of triangle (a, b, c), from where it is seen counterclockwise; zero if it has no area at all.
