@@ -2,6 +2,7 @@
 // the cycle uses, each within the error that its header states.
 #pragma once
 
+#include "palpate/numeric/bounded.hpp"
 #include "palpate/phantom/premium.hpp"
 
 namespace palpate::firmware {
