@@ -46,8 +46,8 @@ TEST(Impulse, OfPowersOfTwoIsExactButForSaturation) {
 TEST(RigidMotion, IdentityKeepsEveryRestPosition) {
   const RigidMotion identity = RigidMotion::identity();
   for (int16_t x = -64; x <= 64; ++x) {
-    const Vector3<Position> at = rest_position(LatticePoint{x, static_cast<int16_t>(-x), 7});
-    EXPECT_EQ(identity(at), at);
+    const LatticePoint at{x, static_cast<int16_t>(-x), 7};
+    EXPECT_EQ(identity(at), rest_position(at));
   }
 }
 

@@ -85,7 +85,7 @@ TEST_P(Integrate, MovedHoldsArriveExactly) {
       const NodeControl control = state_->solve.control[node];
       if (control == NodeControl::kFree) continue;
       const RigidMotion& motion = motions[control == NodeControl::kHeldByFirst ? 0 : 1];
-      ASSERT_EQ(state_->forest.node.position[node], motion(rest_position(state_->forest.node.rest[node])));
+      ASSERT_EQ(state_->forest.node.position[node], motion(state_->forest.node.rest[node]));
     }
   }
   EXPECT_EQ(state_->clamps.speed, 0u);
@@ -167,6 +167,22 @@ TEST(NodeControl, IsByPlaceAndTheFirstRegionWins) {
   EXPECT_EQ(control_of({3, 1, 1}, held), NodeControl::kHeldBySecond);
   EXPECT_EQ(control_of({5, 1, 1}, held), NodeControl::kFree);
   EXPECT_EQ(control_of({1, 1, 3}, held), NodeControl::kFree);
+}
+
+/// To half an LSB, wherever on the lattice.
+TEST(RigidMotion, IsTheRotationAndTheTranslation) {
+  Random random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::AngleAxisd turn(3.0 * random.unit(), random.direction());
+    const RigidMotion motion{fixed_matrix<RotationEntry>(turn.toRotationMatrix()),
+                             fixed_vector<Position>(random.vector())};
+    const auto steps = [&] { return static_cast<int16_t>(random.below(129)) - 64; };
+    const LatticePoint at{static_cast<int16_t>(steps()), static_cast<int16_t>(steps()),
+                          static_cast<int16_t>(steps())};
+    const Vector3d expected =
+        doubles(motion.rotation) * doubles(rest_position(at)) + doubles(motion.translation);
+    EXPECT_LE((doubles(motion(at)) - expected).cwiseAbs().maxCoeff(), std::ldexp(0.5 + 1e-6, -27));
+  }
 }
 
 }  // namespace

@@ -45,18 +45,21 @@ struct FrameEntries {
         zz(frame(2, 2)) {}
   FrameEntry xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
+/// As variables too, raw.
+struct Place {
+  int32_t x, y, z;
+};
 
-/// R^T (x - origin), within +-4 edges so that no edge vector overflows. Rounded once, here and below:
-/// roundings in an order make a body swing that is pressed just so.
+/// R^T (x - origin), within +-4 edges so that no edge vector overflows; `twice` is 2 origin. Rounded once,
+/// here and below: roundings in an order make a body swing that is pressed just so.
 PALPATE_ALWAYS_INLINE Vector3<Position> into_frame(const FrameEntries& r, const Vector3<Position>& x,
-                                                   const Vector3<Position>& origin, ClampFlag& clamped) {
+                                                   const Place& twice, ClampFlag& clamped) {
   using Doubled = Q<3, 28>;  // |x - origin| < 8
-  const auto from_origin = [&](Eigen::Index axis) {
-    return Doubled::from_raw(2 * x[axis].raw() - 2 * origin[axis].raw());
-  };
-  const Vector3<Doubled> d(from_origin(0), from_origin(1), from_origin(2));
+  const auto d0 = Doubled::from_raw(2 * x[0].raw() - twice.x);
+  const auto d1 = Doubled::from_raw(2 * x[1].raw() - twice.y);
+  const auto d2 = Doubled::from_raw(2 * x[2].raw() - twice.z);
   const auto along = [&](FrameEntry a, FrameEntry b, FrameEntry c) {
-    return clamped.clamp<kPositionBits>(narrow<Position>(a * d[0] + b * d[1] + c * d[2]));
+    return clamped.clamp<kPositionBits>(narrow<Position>(a * d0 + b * d1 + c * d2));
   };
   return Vector3<Position>(along(r.xx, r.yx, r.zx), along(r.xy, r.yy, r.zy), along(r.xz, r.yz, r.zz));
 }
@@ -99,12 +102,13 @@ class GroupForces {
       (void)clamped.take();
       const group_forces_detail::FrameEntries r(frame_.rotation);
       const Vector3<Position>& origin = at[front_.node_order[span.begin]];
+      const group_forces_detail::Place twice{2 * origin[0].raw(), 2 * origin[1].raw(), 2 * origin[2].raw()};
       for (const uint32_t k : nodes.take(span.begin, span.count)) {
         const uint16_t node = front_.node_order[k];
         const uint32_t place = k - span.begin;
-        front_.mark[node] = place;
-        frame_.node[place] = {group_forces_detail::into_frame(r, at[node], origin, clamped),
+        frame_.node[place] = {group_forces_detail::into_frame(r, at[node], twice, clamped),
                               zero_vector<FrameForce>()};
+        front_.mark[node] = place;
       }
       const Span own = front_.leaves[group];
       if constexpr (Mode == Observe::kYes) {
@@ -167,10 +171,12 @@ class GroupForces {
     groups_.gradient[group] = narrow<Stretch>(frame_.rotation * mean);
   }
 
-  /// `see` is shown the leaf's LeafForce between its edge vectors and its forces.
+  /// `see` is shown the leaf's LeafForce between its edge vectors and its forces. The level is held to the
+  /// profile's, so that the table of levels needs no check of its own.
   template <class See>
   PALPATE_ALWAYS_INLINE void add_leaf(const Leaf& leaf, See see, ClampFlag& clamped) {
-    switch (leaf.level()) {
+    const uint32_t level = leaf.level();
+    switch (level < Profile::kMaxLevel ? level : Profile::kMaxLevel) {
       case 0:
         return add_leaf_of<0>(leaf, see, clamped);
       case 1:
@@ -199,8 +205,10 @@ class GroupForces {
         return add_leaf_of<12>(leaf, see, clamped);
       case 13:
         return add_leaf_of<13>(leaf, see, clamped);
-      default:
+      case 14:
         return add_leaf_of<14>(leaf, see, clamped);
+      default:
+        __builtin_unreachable();  // no level is above kMaxLevel
     }
   }
 

@@ -85,6 +85,19 @@ void take_over_rotation(Groups<Profile>& groups, uint16_t group, uint16_t gone) 
   groups.blend[group] = kBlendTicks;
 }
 
+/// 1 where a group is about to be joined, else 0. Without a branch, as what follows.
+template <class Profile>
+[[nodiscard]] PALPATE_ALWAYS_INLINE uint32_t has_partner(const RotationFront<Profile>& front,
+                                                         uint16_t group) {
+  return (uint32_t{front.partner[group]} - kNone) >> 31;
+}
+/// 1 for the second of two groups about to be joined, else 0.
+template <class Profile>
+[[nodiscard]] PALPATE_ALWAYS_INLINE uint32_t follows_partner(const RotationFront<Profile>& front,
+                                                             uint16_t group) {
+  return has_partner(front, group) & static_cast<uint32_t>(is_second_of_pair(front, group));
+}
+
 /// One extraction step a group, then one blending step. Of two groups about to be joined the first holds
 /// their parent's rotation, and both go to it. At most two ticks' worth of extraction: 130 multiplies a
 /// group.
@@ -93,22 +106,21 @@ void update_rotations(const RotationFront<Profile>& front, Groups<Profile>& grou
   auto pairs = bounded_total<Profile::kGroups / 2>([] {});
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
-    const uint16_t partner = front.partner[group];
-    if (partner != kNone && is_second_of_pair(front, group)) continue;
+    if (follows_partner(front, group) != 0) continue;
     DeformationGradient mean;
     const DeformationGradient* f = &groups.gradient[group];
-    for ([[maybe_unused]] const uint32_t pair : pairs.take(0, partner == kNone ? 0u : 1u)) {
-      mean = mean_gradient(groups, group, partner);
+    for ([[maybe_unused]] const uint32_t pair : pairs.take(0, has_partner(front, group))) {
+      mean = mean_gradient(groups, group, front.partner[group]);
       f = &mean;
     }
     groups.extracted[group] = extract_rotation(*f, groups.extracted[group]);
   }
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
-    const bool follows = front.partner[group] != kNone && is_second_of_pair(front, group);
-    const Quaternion& goal = groups.extracted[follows ? front.partner[group] : group];
+    const uint32_t if_follows = 0u - follows_partner(front, group);
+    const uint32_t leader = group ^ ((uint32_t{front.partner[group]} ^ group) & if_follows);
     const uint32_t left = groups.blend[group];
-    groups.used[group] = between(groups.used[group], goal, kBlendParts[left]);
+    groups.used[group] = between(groups.used[group], groups.extracted[leader], kBlendParts[left]);
     groups.blend[group] = static_cast<uint8_t>(left - (left > 0 ? 1u : 0u));
   }
 }

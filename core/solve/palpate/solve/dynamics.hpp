@@ -39,8 +39,18 @@ struct RigidMotion {
   static RigidMotion identity() {
     return RigidMotion{rotation_matrix(Quaternion::identity()), zero_vector<Position>()};
   }
-  [[nodiscard]] Vector3<Position> operator()(const Vector3<Position>& x0) const {
-    return narrow<Position>(rotation * x0) + translation;
+  /// Of a node's place on the lattice, within +-2 edges. Rounded once.
+  [[nodiscard]] Vector3<Position> operator()(LatticePoint x0) const {
+    using Edges = Q<2, 29>;  // so that a product's high word is a position
+    const auto edges = [](int32_t steps) {
+      return Edges::from_raw(steps * (1 << (Edges::kFractionBits - kLatticeBits)));
+    };
+    const Edges x = edges(x0.x), y = edges(x0.y), z = edges(x0.z);
+    const auto along = [&](Eigen::Index axis) {
+      return narrow<Position>(rotation(axis, 0) * x + rotation(axis, 1) * y + rotation(axis, 2) * z) +
+             translation[axis];
+    };
+    return Vector3<Position>(along(0), along(1), along(2));
   }
 };
 

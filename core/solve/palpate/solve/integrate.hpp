@@ -62,11 +62,12 @@ PALPATE_ALWAYS_INLINE Velocity next_velocity(Velocity v, Force f, Impulse impuls
   using Drag = Q<-9, 40>;
   constexpr int kBits = Force::kFractionBits + Impulse::kFractionBits;
   constexpr int kShift = kBits - Velocity::kFractionBits;
-  const Drag drag = multiply_high<Drag>(v, mass_damping);
+  constexpr int kOfDrag = kBits - Drag::kFractionBits;
+  // Of the drag half an LSB of the velocity is taken, which rounds the sum.
+  const Drag drag = multiply_add_high(v, mass_damping, Drag::from_raw(-(1 << (kShift - 1 - kOfDrag))));
   int64_t sum = int64_t{f.raw()} * impulse.raw();
   sum += int64_t{v.raw()} * as_factor(1 << kShift);
-  sum += int64_t{drag.raw()} * as_factor(-(1 << (kBits - Drag::kFractionBits)));
-  sum += int64_t{1} << (kShift - 1);
+  sum += int64_t{drag.raw()} * as_factor(-(1 << kOfDrag));
   const auto high = static_cast<int32_t>(sum >> 32);
   const int32_t within = within_bits<kShift>(high);
   clamped |= static_cast<uint32_t>(high ^ within);
@@ -74,10 +75,9 @@ PALPATE_ALWAYS_INLINE Velocity next_velocity(Velocity v, Force f, Impulse impuls
   return Velocity::from_raw(static_cast<int32_t>((static_cast<uint32_t>(within) << (32 - kShift)) | low));
 }
 
+/// x + v
 PALPATE_ALWAYS_INLINE Position moved(Position x, Velocity v, uint32_t& clamped) {
-  constexpr int kShift = Velocity::kFractionBits - Position::kFractionBits;
-  // Rounded behind the shift: the fastest node's velocity has no room for it before.
-  const int32_t next = x.raw() + (((v.raw() >> (kShift - 1)) + 1) >> 1);
+  const int32_t next = multiply_add_high(v, Q<8, 23>::ratio(1, 1), x).raw();
   const int32_t within = within_bits<kPositionBits>(next);
   clamped |= static_cast<uint32_t>(next ^ within);
   return Position::from_raw(within);
@@ -85,12 +85,14 @@ PALPATE_ALWAYS_INLINE Position moved(Position x, Velocity v, uint32_t& clamped) 
 
 /// x + beta_K v
 PALPATE_ALWAYS_INLINE Position force_position(Position x, Velocity v, Q<0, 31> stiffness_damping) {
-  using Ahead = Q<-4, 35>;
-  constexpr int kShift = Ahead::kFractionBits - Position::kFractionBits;
-  const Ahead ahead = multiply_high<Ahead>(v, stiffness_damping);
-  return Position::from_raw(
-      within_bits<kPositionBits>(x.raw() + ((ahead.raw() + (1 << (kShift - 1))) >> kShift)));
+  const auto ahead = multiply_high<Q<-4, 35>>(v, stiffness_damping);
+  const Position sum = multiply_add_high(ahead, Q<7, 24>::ratio(1, 1), x);
+  return Position::from_raw(within_bits<kPositionBits>(sum.raw()));
 }
+
+/// Below 0 where it is so, else not: two of them make one branch, or none.
+PALPATE_ALWAYS_INLINE int32_t sign_if_free(NodeControl control) { return static_cast<int32_t>(control) - 1; }
+PALPATE_ALWAYS_INLINE int32_t sign_if_equal(uint16_t a, uint16_t b) { return (a ^ b) - 1; }
 
 /// 1 / n; 1 is not in the format.
 inline constexpr std::array<Q<0, 31>, kMaxSubsteps + 1> kFractions = {
@@ -100,15 +102,31 @@ inline constexpr std::array<Q<0, 31>, kMaxSubsteps + 1> kFractions = {
 
 /// Sets out from x to the target: `steps` steps, each of whole LSBs, so what rounding would leave in the end
 /// is taken off x now. A target that is too far is not reached.
-inline void aim(Position& x, Velocity& v, Position target, uint32_t steps, uint32_t& clamped) {
+PALPATE_ALWAYS_INLINE void aim(Vector3<Position>& x, Vector3<Velocity>& v, const Vector3<Position>& target,
+                               uint32_t steps, uint32_t& clamped) {
   constexpr int kShift = Velocity::kFractionBits - Position::kFractionBits;
-  const auto twice = Q<3, 28>::from_raw(2 * (target - x).raw());
-  const int32_t step = multiply_high<Position>(twice, kFractions[steps]).raw();
-  const int32_t within = within_bits<32 - kShift>(step);
-  clamped |= static_cast<uint32_t>(step ^ within);
-  v = Velocity::from_raw(static_cast<int32_t>(static_cast<uint32_t>(within) << kShift));
-  const int32_t from = target.raw() - static_cast<int32_t>(steps) * within;
-  x = within == step ? Position::from_raw(from) : x;
+  struct Start {
+    int32_t x, v;
+  };
+  const Q<0, 31> fraction = kFractions[steps];
+  const auto start = [&](Eigen::Index axis) {
+    const int32_t from = x[axis].raw();
+    const auto twice = Q<3, 28>::from_raw(2 * (target[axis].raw() - from));
+    const int32_t step = multiply_high<Position>(twice, fraction).raw();
+    const int32_t within = within_bits<32 - kShift>(step);
+    clamped |= static_cast<uint32_t>(step ^ within);
+    const int32_t is_near = ((step ^ within) - 1) >> 31;  // without a branch: a clamp keeps the sign
+    const int32_t taken_off = target[axis].raw() - static_cast<int32_t>(steps) * within - from;
+    return Start{from + (taken_off & is_near), static_cast<int32_t>(static_cast<uint32_t>(within) << kShift)};
+  };
+  // All is loaded before any is stored: a load may have to wait for a store.
+  const Start s0 = start(0), s1 = start(1), s2 = start(2);
+  x[0] = Position::from_raw(s0.x);
+  x[1] = Position::from_raw(s1.x);
+  x[2] = Position::from_raw(s2.x);
+  v[0] = Velocity::from_raw(s0.v);
+  v[1] = Velocity::from_raw(s1.v);
+  v[2] = Velocity::from_raw(s2.v);
 }
 
 }  // namespace integrate_detail
@@ -141,24 +159,23 @@ template <class Profile>
 void aim_moved_nodes(Forest<Profile>& forest, const Dynamics& dynamics, const HoldMotions& motions,
                      const DrivenNode& driven, const SolveState<Profile>& solve, ClampCounters& counters) {
   auto& state = forest.node;
+  const uint32_t steps = dynamics.substeps;
   uint32_t too_fast = 0;
-  const auto aim = [&](uint16_t node, const Vector3<Position>& target) {
-    const auto along = [&](Eigen::Index axis) {
-      integrate_detail::aim(state.position[node][axis], state.velocity[node][axis], target[axis],
-                            dynamics.substeps, too_fast);
-    };
-    along(0);
-    along(1);
-    along(2);
-  };
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
     const uint16_t node = forest.nodes.live(i);
     const NodeControl control = solve.control[node];
-    if (control == NodeControl::kFree || node == driven.node) continue;
+    if ((integrate_detail::sign_if_free(control) | integrate_detail::sign_if_equal(node, driven.node)) < 0) {
+      continue;
+    }
     const RigidMotion& motion = motions[control == NodeControl::kHeldByFirst ? 0 : 1];
-    aim(node, within_position_limit(motion(rest_position(state.rest[node]))));
+    const Vector3<Position> target = motion(state.rest[node]);
+    integrate_detail::aim(state.position[node], state.velocity[node], within_position_limit(target), steps,
+                          too_fast);
   }
-  if (driven.node != kNone) aim(driven.node, driven.target);
+  if (driven.node != kNone) {
+    integrate_detail::aim(state.position[driven.node], state.velocity[driven.node], driven.target, steps,
+                          too_fast);
+  }
   counters.speed += too_fast != 0 ? 1u : 0u;
 }
 
@@ -168,24 +185,40 @@ void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, uint16
                        SolveState<Profile>& solve, ClampCounters& counters) {
   namespace detail = integrate_detail;
   auto& state = forest.node;
+  const auto mass_damping = dynamics.mass_damping;
+  const auto stiffness_damping = dynamics.stiffness_damping;
   uint32_t too_fast = 0;
   uint32_t too_far = 0;
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
     const uint16_t node = forest.nodes.live(i);
-    const bool is_free = solve.control[node] == NodeControl::kFree && node != driven;
-    const int32_t if_free = is_free ? -1 : 0;
+    const int32_t if_free =
+        (detail::sign_if_free(solve.control[node]) & ~detail::sign_if_equal(node, driven)) >> 31;
     const auto impulse = Impulse::from_raw(solve.impulse[node].raw() & if_free);
-    const auto damping = Q<-5, 36>::from_raw(dynamics.mass_damping.raw() & if_free);
-    const auto along = [&](Eigen::Index axis) {
-      Velocity& v = state.velocity[node][axis];
-      Position& x = state.position[node][axis];
-      v = detail::next_velocity(v, state.force[node][axis], impulse, damping, too_fast);
-      x = detail::moved(x, v, too_far);
-      solve.force_position[node][axis] = detail::force_position(x, v, dynamics.stiffness_damping);
+    const auto damping = Q<-5, 36>::from_raw(mass_damping.raw() & if_free);
+    Vector3<Velocity>& v = state.velocity[node];
+    const Vector3<Force>& f = state.force[node];
+    Vector3<Position>& x = state.position[node];
+    Vector3<Position>& force_x = solve.force_position[node];
+    const auto next_v = [&](Eigen::Index axis) {
+      return detail::next_velocity(v[axis], f[axis], impulse, damping, too_fast);
     };
-    along(0);
-    along(1);
-    along(2);
+    const auto ahead = [&](Position at, Velocity with) {
+      return detail::force_position(at, with, stiffness_damping);
+    };
+    // All is loaded before any is stored: a load may have to wait for a store.
+    const Velocity v0 = next_v(0), v1 = next_v(1), v2 = next_v(2);
+    const Position x0 = detail::moved(x[0], v0, too_far);
+    const Position x1 = detail::moved(x[1], v1, too_far);
+    const Position x2 = detail::moved(x[2], v2, too_far);
+    v[0] = v0;
+    v[1] = v1;
+    v[2] = v2;
+    x[0] = x0;
+    x[1] = x1;
+    x[2] = x2;
+    force_x[0] = ahead(x0, v0);
+    force_x[1] = ahead(x1, v1);
+    force_x[2] = ahead(x2, v2);
   }
   counters.speed += too_fast != 0 ? 1u : 0u;
   counters.position += too_far != 0 ? 1u : 0u;

@@ -60,63 +60,76 @@ class TetherForces {
 
   /// Forces of one tether for the next substep; `substeps_left` counts it, to the end of the tether.
   void add(const Tether& tether, uint32_t substeps_left) {
-    const Impulse w = mobility(tether.node);
-    const Impulse w0 = mobility(tether.end[0]);
-    const Impulse w1 = mobility(tether.end[1]);
-    const Acc<Impulse::kFractionBits> s =
-        Acc<Impulse::kFractionBits>::from_raw(int64_t{w.raw()} + ((int64_t{w0.raw()} + w1.raw()) >> 2));
+    const Node node = node_at(tether.node);
+    const Node end0 = node_at(tether.end[0]);
+    const Node end1 = node_at(tether.end[1]);
+    const auto s = Acc<Impulse::kFractionBits>::from_raw(
+        int64_t{node.mobility.raw()} + ((int64_t{end0.mobility.raw()} + end1.mobility.raw()) >> 2));
     if (s.raw() == 0) return;
     const auto inverse = tether_detail::inverse_of(s);
-    const Q<0, 31> part = part_of(substeps_left);
+    const Aim aim = tether.kind == TetherKind::kRelease
+                        ? Aim{kReleaseParts[tether.ticks_left], Part::from_raw(0)}
+                        : Aim{1u << kRateBits, part_of(substeps_left)};
     for (const uint32_t axis : bounded<3>(3, [] {})) {
       const auto a = static_cast<Eigen::Index>(axis);
-      const Velocity u = rate(tether, a);
-      const Velocity wanted = tether.kind == TetherKind::kRelease ? released(u, tether.ticks_left)
-                                                                  : drawn(u, offset(tether, a), part);
-      const Force on_node = tether_detail::force_for(wanted, inverse);
+      const Force on_node =
+          tether_detail::force_for(wanted(aim, rate(node, end0, end1, a), offset(tether, a)), inverse);
       const Force half = Force::from_raw(on_node.raw() >> 1);
-      node_.force[tether.node][a] += on_node;
-      node_.force[tether.end[0]][a] -= half;
-      node_.force[tether.end[1]][a] -= on_node - half;
+      (*node.force)[a] += on_node;
+      (*end0.force)[a] -= half;
+      (*end1.force)[a] -= on_node - half;
     }
   }
 
  private:
-  [[nodiscard]] Impulse mobility(uint16_t node) const {
-    const bool is_free = solve_.control[node] == NodeControl::kFree && node != driven_;
-    return is_free ? solve_.impulse[node] : Impulse::from_raw(0);
+  using Part = Q<0, 31>;
+  static constexpr int kRateBits = 16;
+  /// What a tether takes off in a substep: this much of u, in 2^-16, and of d.
+  struct Aim {
+    uint32_t of_rate;
+    Part of_offset;
+  };
+  struct Node {
+    const Vector3<Velocity>* velocity;
+    Vector3<Force>* force;
+    Impulse mobility;  // 0 for one that something else moves
+  };
+
+  [[nodiscard]] Node node_at(uint16_t node) {
+    const int32_t if_free = integrate_detail::sign_if_free(solve_.control[node]) &
+                            ~integrate_detail::sign_if_equal(node, driven_);
+    return Node{&node_.velocity[node], &node_.force[node],
+                Impulse::from_raw(solve_.impulse[node].raw() & (if_free >> 31))};
   }
   /// Velocity after the substep, without damping.
-  [[nodiscard]] Acc<53> next(uint16_t node, Eigen::Index a) const {
-    return widen<53>(node_.velocity[node][a]) + node_.force[node][a] * mobility(node);
+  [[nodiscard]] static Acc<53> next(const Node& node, Eigen::Index a) {
+    return widen<53>((*node.velocity)[a]) + (*node.force)[a] * node.mobility;
   }
-  [[nodiscard]] Velocity rate(const Tether& tether, Eigen::Index a) const {
-    const int64_t ends = (next(tether.end[0], a).raw() >> 1) + (next(tether.end[1], a).raw() >> 1);
-    return narrow_saturated<Velocity>(next(tether.node, a) - Acc<53>::from_raw(ends));
+  /// u
+  [[nodiscard]] static Velocity rate(const Node& node, const Node& end0, const Node& end1, Eigen::Index a) {
+    const int64_t ends = (next(end0, a).raw() >> 1) + (next(end1, a).raw() >> 1);
+    return narrow_saturated<Velocity>(next(node, a) - Acc<53>::from_raw(ends));
   }
+  /// d
   [[nodiscard]] Position offset(const Tether& tether, Eigen::Index a) const {
     const auto& x = node_.position;
     const auto ends = widen<Position::kFractionBits>(x[tether.end[0]][a]) +
                       widen<Position::kFractionBits>(x[tether.end[1]][a]);
     return x[tether.node][a] - narrow<Position>(divide_by_power_of_two<1>(ends));
   }
-  /// - k u
-  static Velocity released(Velocity u, uint32_t ticks_left) {
-    const int64_t product = -int64_t{u.raw()} * kReleaseParts[ticks_left];
-    return Velocity::from_raw(static_cast<int32_t>(shift_right_rounded(product, 16)));
-  }
   /// 1 / substeps left.
-  static Q<0, 31> part_of(uint32_t substeps_left) {
+  static Part part_of(uint32_t substeps_left) {
     const int room = leading_zeros(substeps_left);
     const auto mantissa = Q<0, 31>::from_raw(static_cast<int32_t>((substeps_left << room) >> 1));
     const int64_t raw = reciprocal_normalised(mantissa).raw();  // 1 / n = raw 2^-30 2^-(32 - room)
     const int64_t scaled = (raw << 1) >> (32 - room);
-    return Q<0, 31>::from_raw(static_cast<int32_t>(scaled > 0x7fffffff ? 0x7fffffff : scaled));
+    return Part::from_raw(static_cast<int32_t>(scaled > 0x7fffffff ? 0x7fffffff : scaled));
   }
-  /// - (u + part d)
-  static Velocity drawn(Velocity u, Position d, Q<0, 31> part) {
-    const Acc<58> step = d * part;
-    return narrow_saturated<Velocity>(-(step + widen<58>(u)));
+  /// - (of_rate u + of_offset d)
+  static Velocity wanted(const Aim& aim, Velocity u, Position d) {
+    const auto of_u = Acc<58>::from_raw(int64_t{u.raw()} * static_cast<int32_t>(aim.of_rate) *
+                                        (1 << (58 - kRateBits - Velocity::kFractionBits)));
+    return narrow_saturated<Velocity>(-(of_u + d * aim.of_offset));
   }
 
   NodeState<Profile::kNodes>& node_;
