@@ -21,17 +21,17 @@ Corner half(const Corner& v) {
   return Corner(of(v[0]), of(v[1]), of(v[2]));
 }
 
-struct SomeTet {
+struct LeafAtRest {
   Corner w[4];
   Axes axes;
 };
 
 /// The signed axes of g1, g2, g3; edges of length h.
-SomeTet at_rest(TetType type, const uint32_t (&axis)[3], Position h) {
+LeafAtRest at_rest(TetType type, const uint32_t (&axis)[3], Position h) {
   const Corner g1 = along(axis[0], h);
   const Corner g2 = along(axis[1], h);
   const Corner g3 = along(axis[2], h);
-  SomeTet tet;
+  LeafAtRest tet;
   tet.axes = Axes::of(axis[0], axis[1], axis[2]);
   tet.w[0] = zero_vector<Position>();
   tet.w[1] = g1;
@@ -49,7 +49,7 @@ void expect_no_force(Random& random) {
   for (uint32_t i = 0; i < 48; ++i) {
     const auto& order = kOrders[i / 8];
     const uint32_t axis[3] = {order[0] | (i & 1u) << 2, order[1] | (i & 2u) << 1, order[2] | (i & 4u)};
-    const SomeTet tet = at_rest(type_of_level(Level), axis, h);
+    const LeafAtRest tet = at_rest(type_of_level(Level), axis, h);
     for (int j = 0; j < 100; ++j) {
       const Material material{ShearCoefficient::from_raw(static_cast<int32_t>(random.below(1u << 27))),
                               BulkCoefficient::from_raw(static_cast<int32_t>(random.below(5u << 28)))};
