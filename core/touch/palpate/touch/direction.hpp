@@ -81,10 +81,10 @@ Direction direction_of(const Vector3<Scalar>& v) {
   const int room = leading_zeros_of_64(square) & ~1;
   const auto mantissa = Q<0, 31>::from_raw(static_cast<int32_t>(square << room >> 33));
   const Fraction y = reciprocal_square_root_normalised(mantissa);
-  const int shift = 32 - room / 2;
+  // The upper word of the product 2^(room / 2), rounded.
   const auto along = [&](Eigen::Index axis) {
-    const int64_t product = int64_t{v[axis].raw()} * y.raw();
-    return Fraction::from_raw(static_cast<int32_t>(shift_right_rounded(product, shift)));
+    const auto product = static_cast<uint64_t>(int64_t{v[axis].raw()} * y.raw()) << (room / 2);
+    return Fraction::from_raw(static_cast<int32_t>((product + (uint64_t{1} << 31)) >> 32));
   };
   return Direction(along(0), along(1), along(2));
 }

@@ -16,23 +16,25 @@ namespace palpate::firmware {
   constexpr std::array<Metre, 3> kAtReset = {Metre::ratio(215, 1000), Metre::ratio(0, 1),
                                              Metre::ratio(-170, 1000)};
   constexpr auto kWithin = Metre::ratio(1, 100000000);
-  constexpr std::array<uint16_t, 3> kResting = {2048, 2048, 2048};
-  constexpr std::array<uint16_t, 3> kLifting = {2048, 1743, 2048};
+  struct Answer {
+    Newton upwards;
+    std::array<uint16_t, 3> codes;
+  };
+  constexpr std::array<Answer, 2> kAnswers = {
+      {{Newton::ratio(0, 1), {2048, 2048, 2048}}, {Newton::ratio(1, 1), {2048, 1743, 2048}}}};
 
   const auto posture = premium::posture(phantom::joint_angles(premium::kPremium15, {0, 0, 0}));
   const auto position = premium::tool_position(posture);
-  const auto codes_for = [&posture](Newton up) {
-    Vector3<Newton> force = zero_vector<Newton>();
-    force[2] = up;
-    return phantom::motor_codes(premium::kDrive, premium::joint_torques(posture, force)).codes;
-  };
-  const auto resting = codes_for(Newton::from_raw(0));
-  const auto lifting = codes_for(Newton::ratio(1, 1));
   uint32_t wrong = 0;
   for (const uint32_t i : bounded<3>(3, [] {})) {
     wrong |= abs(position[static_cast<Eigen::Index>(i)] - kAtReset[i]) < kWithin ? 0u : 1u;
-    wrong |= uint32_t{resting[i]} ^ kResting[i];
-    wrong |= uint32_t{lifting[i]} ^ kLifting[i];
+  }
+  for (const uint32_t i : bounded<2>(2, [] {})) {
+    Vector3<Newton> force = zero_vector<Newton>();
+    force[2] = kAnswers[i].upwards;
+    const auto codes = phantom::motor_codes(premium::kDrive, premium::joint_torques(posture, force)).codes;
+    for (const uint32_t motor : bounded<3>(3, [] {}))
+      wrong |= uint32_t{codes[motor]} ^ kAnswers[i].codes[motor];
   }
   return wrong == 0;
 }
