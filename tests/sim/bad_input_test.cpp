@@ -62,7 +62,7 @@ constexpr Case kFlags[] = {
     {"TooManySubsteps", "hil grasp --substeps 4", "computes at most 3 a tick: take substeps 3 or less"},
     {"CriterionThatIsNotBuilt", "run cuboid-sine --rotations siblings",
      "take rotations misfit, or profile workstation"},
-    {"AutomaticLevelBelowTheLeast", "run cuboid-sine --profile small --least-level 5",
+    {"AutomaticLevelBelowTheLeast", "run cuboid-sine --profile small --density-kg-m3 1000 --least-level 5",
      "level is 4, but least_level is 5"},
     {"UnstableAtTheMostLevel", "run cuboid-sine --profile workstation --most-level 9",
      "its critical step at most_level 9 is 0.200 ms; it needs 6 substeps"},

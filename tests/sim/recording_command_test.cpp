@@ -15,7 +15,7 @@ void write_file(const std::filesystem::path& path, const File& file) {
 
 File with_a_changed_count() {
   auto chunks = chunks_of_recording(recorded_drag(50, {20, 0}));
-  chunks[find_chunk(chunks, "TICK", 3)].payload[8 + recording::kRowBytes * 7] ^= 1;
+  chunks[find_chunk(chunks, "TICK", 3)].payload[8 + recording::kRowBytes * 7] ^= 64;
   return recording_of(chunks);
 }
 

@@ -16,7 +16,7 @@ inline CycleModel sample_model() {
   parameters.region_of_cube = {0, 1, -1, 1};
   parameters.level = 2;
   parameters.regions = {{500.0, 0.49, 1000.0, 1, 5}, {300.0, 0.4, 600.0, 2, 4}};
-  parameters.substeps = 2;
+  parameters.substeps = 1;
   parameters.held = sim::HeldEnds::kBoth;
   parameters.grasp_reach_m = 0.02;
   parameters.contact.tool_radius_m = 0.004;
