@@ -15,7 +15,7 @@ void write_file(const std::filesystem::path& path, const File& file) {
 
 File with_a_changed_count() {
   auto chunks = chunks_of_recording(recorded_drag(50, {20, 0}));
-  chunks[find_chunk(chunks, "TICK", 3)].payload[8 + recording::kRowBytes * 7] ^= 64;
+  chunks[find_chunk(chunks, "TICK", 3)].payload[8 + recording::kRowBytes * 7] ^= 1;
   return recording_of(chunks);
 }
 
@@ -36,7 +36,7 @@ TEST(ReplayCommand, NamesTheFirstDifference) {
   write_file(folder / "drag.plp", with_a_changed_count());
   const Outcome outcome = run_program(folder, "replay drag.plp");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("NOT the same: tick 68, "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("NOT the same: tick 69, "), std::string::npos) << outcome.out;
 }
 
 TEST(ReplayCommand, SaysThatTheRecordingIsCut) {
