@@ -20,8 +20,11 @@ std::string without_profile(const std::string& place, const std::string& profile
 
 using BoundsByProfile = std::map<const ProfileShape*, uint32_t>;
 
-// The multiple that all profiles agree on, one of few that sources write.
+// The multiple that all profiles agree on, one of few that sources write. Of a loop that one profile alone
+// has, a small bound, as that of its substeps, is a multiple of every small quantity.
 std::optional<double> common_multiple(const BoundsByProfile& bounds, size_t quantity) {
+  constexpr uint32_t kLeastTelling = 8;
+  if (bounds.size() == 1 && bounds.begin()->second < kLeastTelling) return std::nullopt;
   std::optional<double> common;
   for (const auto& [shape, bound] : bounds) {
     const double multiple = static_cast<double>(bound) / shape->quantities[quantity].count;
