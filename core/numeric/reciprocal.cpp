@@ -69,7 +69,8 @@ Q<-1, 32> reciprocal_square_root_less_one(Q<1, 30> x) {
       Estimate::from_raw(1889919989),   //  7.04050060
   };
   const uint32_t y = short_of<15>(polynomial(kSeed, Offset::from_raw((x.raw() - (5 << 28)) * 2)));
-  const Residual r = residual_of<60>(uint64_t{static_cast<uint32_t>(x.raw())} * (y * y));
+  const uint32_t y_squared = y * y;
+  const Residual r = residual_of<60>(uint64_t{static_cast<uint32_t>(x.raw())} * y_squared);
   // y (1 + r / 2 + 3/8 r^2)
   constexpr auto kThreeEighths = Q<8, 23>::from_raw(3 << 20);
   const auto half_and_more = multiply_add_high(r, kThreeEighths, Q<0, 31>::from_raw(1 << 30));

@@ -80,7 +80,7 @@ void add_leaf(const Forest<Profile>& forest, const Leaf& leaf, const RotationMat
 template <class Profile>
 void renew_misfits(const Forest<Profile>& forest, const RotationFront<Profile>& front,
                    Groups<Profile>& groups, MisfitSweep& sweep) {
-  constexpr auto slice = [](uint32_t leaves) { return (leaves + kMisfitTicks - 1) / kMisfitTicks; };
+  const auto slice = [](uint32_t leaves) { return (leaves + kMisfitTicks - 1) / kMisfitTicks; };
   constexpr uint32_t kMostGroups = Profile::kGroups / kMisfitTicks + 1;
   auto leaves = bounded_total<slice(Profile::kLeaves)>([] {});
   uint32_t left = slice(forest.leaf_count);

@@ -23,8 +23,8 @@ struct Urgencies {
 
   static constexpr uint32_t kFours = (Forest<Profile>::kTets + 3) / 4;
 
-  alignas(uint32_t) std::array<uint8_t, 4 * kFours> of;  // of leaf tets; no other one is wanted
-  uint16_t sweep_at;                                     // the leaf whose urgency is renewed next
+  alignas(uint32_t) std::array<uint8_t, std::size_t{4} * kFours> of;  // of leaf tets; no other one is wanted
+  uint16_t sweep_at;  // the leaf whose urgency is renewed next
   uint16_t split_at;  // the four tets where the search for the most urgent ones starts: behind the last found
   uint16_t merge_at;  // where the search for calm patches goes on
 
