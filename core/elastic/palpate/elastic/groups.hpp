@@ -89,7 +89,7 @@ void take_over_rotation(Groups<Profile>& groups, uint16_t group, uint16_t gone) 
 template <class Profile>
 [[nodiscard]] PALPATE_ALWAYS_INLINE uint32_t has_partner(const RotationFront<Profile>& front,
                                                          uint16_t group) {
-  return (uint32_t{front.partner[group]} - kNone) >> 31;
+  return static_cast<uint32_t>(front.partner[group] - kNone) >> 31;
 }
 /// 1 for the second of two groups about to be joined, else 0.
 template <class Profile>

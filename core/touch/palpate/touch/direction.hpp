@@ -47,13 +47,19 @@ class PartsOf {
   static constexpr bool kIsLong = sizeof(Integer) == 8;
 
   static int room_above(Integer whole) {
-    if constexpr (kIsLong) return leading_zeros_of_64(static_cast<uint64_t>(whole)) - 1;
-    if constexpr (!kIsLong) return leading_zeros(static_cast<uint32_t>(whole)) - 1;
+    if constexpr (kIsLong) {
+      return leading_zeros_of_64(static_cast<uint64_t>(whole)) - 1;
+    } else {
+      return leading_zeros(static_cast<uint32_t>(whole)) - 1;
+    }
   }
   [[nodiscard]] Q<0, 31> top(Integer x) const {
     const auto shifted = static_cast<std::make_unsigned_t<Integer>>(x) << room_;
-    if constexpr (kIsLong) return Q<0, 31>::from_raw(static_cast<int32_t>(shifted >> 32));
-    if constexpr (!kIsLong) return Q<0, 31>::from_raw(static_cast<int32_t>(shifted));
+    if constexpr (kIsLong) {
+      return Q<0, 31>::from_raw(static_cast<int32_t>(shifted >> 32));
+    } else {
+      return Q<0, 31>::from_raw(static_cast<int32_t>(shifted));
+    }
   }
   int room_;
   Fraction reciprocal_;
