@@ -13,7 +13,13 @@ struct PoolCounters {
   uint16_t peak;     // most indices in use at once
   uint16_t refused;  // allocations that found the pool full (saturates)
 
-  void refuse() { refused = refused < 0xffff ? static_cast<uint16_t>(refused + 1u) : refused; }
+  /// Whether `count` more fit beside those in use; if not, that is counted as one refusal.
+  [[nodiscard]] bool has_room(uint32_t used, uint32_t count, uint32_t capacity) {
+    const bool fits = used + count <= capacity;
+    if (!fits) refused = refused < 0xffff ? static_cast<uint16_t>(refused + 1u) : refused;
+    return fits;
+  }
+  void note(uint16_t used) { peak = used > peak ? used : peak; }
 };
 
 template <uint16_t Capacity>
@@ -34,11 +40,7 @@ class IndexPool {
   }
 
   /// Whether `count` more indices are free; if not, that is counted as one refusal.
-  [[nodiscard]] bool has_room(uint32_t count) {
-    const bool fits = used_ + count <= Capacity;
-    if (!fits) counters_.refuse();
-    return fits;
-  }
+  [[nodiscard]] bool has_room(uint32_t count) { return counters_.has_room(used_, count, Capacity); }
 
   /// A free index, or kNone (counted as refused) when all are in use.
   [[nodiscard]] uint16_t allocate() { return has_room(1) ? take() : kNone; }
@@ -48,7 +50,7 @@ class IndexPool {
     check(used_ < Capacity, "took an index from a full pool");
     const uint16_t index = order_[used_];
     ++used_;
-    if (used_ > counters_.peak) counters_.peak = used_;
+    counters_.note(used_);
     return index;
   }
 

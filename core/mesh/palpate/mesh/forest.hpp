@@ -66,9 +66,7 @@ struct Forest {
 
   /// Whether `count` more leaves fit; if not, that is counted as one refusal.
   [[nodiscard]] bool has_room_for_leaves(uint32_t count) {
-    const bool fits = leaf_count + count <= kLeaves;
-    if (!fits) leaf_counters.refuse();
-    return fits;
+    return leaf_counters.has_room(leaf_count, count, kLeaves);
   }
   [[nodiscard]] Leaf& leaf_of(uint16_t t) { return leaf[tet[t].link()]; }
   [[nodiscard]] const Leaf& leaf_of(uint16_t t) const { return leaf[tet[t].link()]; }

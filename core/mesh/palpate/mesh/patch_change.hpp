@@ -159,7 +159,7 @@ MeshStatus bisect(Forest<Profile>& forest, const Patch& patch) {
   for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
     patch_change::connect_across(forest, patch.tet[i]);
   }
-  if (forest.leaf_count > forest.leaf_counters.peak) forest.leaf_counters.peak = forest.leaf_count;
+  forest.leaf_counters.note(forest.leaf_count);
   return MeshStatus::kDone;
 }
 

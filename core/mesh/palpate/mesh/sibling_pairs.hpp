@@ -26,11 +26,7 @@ class SiblingPairs {
   }
 
   /// Whether `count` more pairs are free; if not, that is counted as one refusal.
-  [[nodiscard]] bool has_room(uint32_t count) {
-    const bool fits = used_ + count <= Capacity;
-    if (!fits) counters_.refuse();
-    return fits;
-  }
+  [[nodiscard]] bool has_room(uint32_t count) { return counters_.has_room(used_, count, Capacity); }
 
   /// The children of `parent` at `level`; of two roots, which come in pairs too, kNone at level 0. kNone
   /// (counted as refused) when all pairs are in use.
@@ -46,7 +42,7 @@ class SiblingPairs {
     parent_or_next_[pair] = parent;
     level_[pair] = level;
     ++used_;
-    if (used_ > counters_.peak) counters_.peak = used_;
+    counters_.note(used_);
     return pair;
   }
 

@@ -93,6 +93,10 @@ PALPATE_ALWAYS_INLINE Position force_position(Position x, Velocity v, Q<0, 31> s
 /// Below 0 where it is so, else not: two of them make one branch, or none.
 PALPATE_ALWAYS_INLINE int32_t sign_if_free(NodeControl control) { return static_cast<int32_t>(control) - 1; }
 PALPATE_ALWAYS_INLINE int32_t sign_if_equal(uint16_t a, uint16_t b) { return (a ^ b) - 1; }
+/// All ones for a node that nothing moves but forces, else 0.
+PALPATE_ALWAYS_INLINE int32_t mask_if_free(NodeControl control, uint16_t node, uint16_t driven) {
+  return (sign_if_free(control) & ~sign_if_equal(node, driven)) >> 31;
+}
 
 /// 1 / n; 1 is not in the format.
 inline constexpr std::array<Q<0, 31>, kMaxSubsteps + 1> kFractions = {
@@ -191,8 +195,7 @@ void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, uint16
   uint32_t too_far = 0;
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
     const uint16_t node = forest.nodes.live(i);
-    const int32_t if_free =
-        (detail::sign_if_free(solve.control[node]) & ~detail::sign_if_equal(node, driven)) >> 31;
+    const int32_t if_free = detail::mask_if_free(solve.control[node], node, driven);
     const auto impulse = Impulse::from_raw(solve.impulse[node].raw() & if_free);
     const auto damping = Q<-5, 36>::from_raw(mass_damping.raw() & if_free);
     Vector3<Velocity>& v = state.velocity[node];

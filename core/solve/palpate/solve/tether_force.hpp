@@ -96,10 +96,9 @@ class TetherForces {
   };
 
   [[nodiscard]] Node node_at(uint16_t node) {
-    const int32_t if_free = integrate_detail::sign_if_free(solve_.control[node]) &
-                            ~integrate_detail::sign_if_equal(node, driven_);
+    const int32_t if_free = integrate_detail::mask_if_free(solve_.control[node], node, driven_);
     return Node{&node_.velocity[node], &node_.force[node],
-                Impulse::from_raw(solve_.impulse[node].raw() & (if_free >> 31))};
+                Impulse::from_raw(solve_.impulse[node].raw() & if_free)};
   }
   /// Velocity after the substep, without damping.
   [[nodiscard]] static Acc<53> next(const Node& node, Eigen::Index a) {
