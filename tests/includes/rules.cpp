@@ -177,7 +177,7 @@ const std::vector<Exception>& exceptions() {
        "makes them errors on a target"},
       {"core/numeric/palpate/numeric/q.hpp", "for (int bit = 0; bit < F; ++bit) {",
        "Q::ratio, for compile-time constants"},
-      {"core/elastic/palpate/elastic/groups.hpp", "for (int64_t left = 1; left <= kBlendTicks; ++left) {",
+      {"core/elastic/palpate/elastic/groups.hpp", "for (int64_t left = 1; left <= kBlendSteps; ++left) {",
        "kBlendParts, for a compile-time constant"},
       {"core/elastic/palpate/elastic/group_forces.hpp", "for (const uint32_t k : range) {",
        "a range that its caller takes from a BoundedTotal"},

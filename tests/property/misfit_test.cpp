@@ -91,7 +91,7 @@ TEST(Misfit, IsItsFormula) {
   EXPECT_LE(worst, 1.0);
 }
 
-/// A slice of it in every tick: after kMisfitTicks, or twice as many, all misfits are those of now. A group
+/// A slice of it in every tick: after kMisfitSlices, or twice as many, all misfits are those of now. A group
 /// whose leaves change in the middle of its turn is begun anew.
 TEST(Misfit, IsRenewedInSlices) {
   Random random(85);
@@ -101,13 +101,13 @@ TEST(Misfit, IsRenewedInSlices) {
     deform_at_random(body, random, 0.5);
     MisfitSweep sweep{};
     sweep.clear();
-    for (uint32_t i = 0; i < random.below(kMisfitTicks); ++i) {
+    for (uint32_t i = 0; i < random.below(kMisfitSlices); ++i) {
       renew_misfits(body.forest(), body.front(), *body.groups, sweep);
     }
     rounds_with_change += sweep.leaf_at > 0 ? 1u : 0u;
     deform_at_random(body, random, 0.5);
     sweep.resume(kNone, 0);  // as if all of the group's leaves were others
-    for (uint32_t i = 0; i < 2 * kMisfitTicks; ++i) {
+    for (uint32_t i = 0; i < 2 * kMisfitSlices; ++i) {
       renew_misfits(body.forest(), body.front(), *body.groups, sweep);
     }
     const Groups<GroupsProfile> renewed = *body.groups;

@@ -112,7 +112,7 @@ TEST(RemeshBudget, NoRequestStarvesBehindWorseOnes) {
   uint32_t ticks = 0;
   uint32_t worse_done = 0;
   uint32_t left = static_cast<uint32_t>(early.size());
-  const uint32_t bound = all + 20 * kSweepTicks * 4;
+  const uint32_t bound = all + 20 * kSweepSlices * 4;
   while (left > 0 && ticks < 4 * bound) {
     change_fronts(*state);
     ++ticks;

@@ -37,15 +37,15 @@ bool could_split(const State<Profile>& state) {
   return false;
 }
 
-/// Counts ticks that split nothing although they could have.
+/// Counts turns of the mesh that split nothing although they could have.
 template <class Profile>
-struct IdleTicks {
+struct IdleTurns {
   const State<Profile>& state;
   uint32_t bisected = state.remesh.bisected;
   uint32_t in_a_row = 0;
   uint32_t most_in_a_row = 0;
   uint32_t all = 0;
-  uint32_t waiting = 0;  // ticks in which somebody waited
+  uint32_t waiting = 0;  // turns in which somebody waited
 
   void see() {
     constexpr uint32_t kFull = static_cast<uint32_t>(RemeshFlag::kLeaves) |
@@ -60,7 +60,7 @@ struct IdleTicks {
     all += idle ? 1u : 0u;
   }
   void print(const char* name) const {
-    std::printf("%s: somebody waited in %u ticks, %u of them idle, at most %u in a row; %u tets bisected\n",
+    std::printf("%s: somebody waited in %u turns, %u of them idle, at most %u in a row; %u tets bisected\n",
                 name, waiting, all, most_in_a_row, state.remesh.bisected);
   }
 };
@@ -80,7 +80,7 @@ TEST(RemeshStarvation, OthersAreSplitWhileTheMostUrgentLeafWaitsForATether) {
   }
   state->driven.node = node_at(state->forest, LatticePoint{16, 16, -48});
   ASSERT_NE(state->driven.node, kNone);
-  IdleTicks<Starved> idle{*state};
+  IdleTurns<Starved> idle{*state};
   for (int i = 0; i < 600; ++i) {
     change_fronts(*state);
     idle.see();
@@ -99,12 +99,12 @@ void load_often(const char* name) {
   parameters.regions = {{500.0, 0.45, 1000.0, 1, 5}, {500.0, 0.45, 1000.0, 1, 3}};
   parameters.region_of_cube = {0, 1, 0};
   const auto state = started<Profile>(compile_model(parameters));
-  IdleTicks<Profile> idle{*state};
+  IdleTurns<Profile> idle{*state};
   const int ticks = in_soak(20000, 1500);
   for (int i = 0; i < ticks; ++i) {
     const double part = 0.5 - 0.5 * std::cos(i * 2.0 * 3.14159 / 600.0);
     tick_once(*state, pulled(0.3 * part, 0.5 * part, 0.7 * part));
-    idle.see();
+    if (mesh_had_its_turn(*state)) idle.see();
     ASSERT_NO_FATAL_FAILURE(expect_whole(*state));
   }
   idle.print(name);
@@ -112,9 +112,9 @@ void load_often(const char* name) {
   EXPECT_GT(state->remesh.bisected, 100u);
 }
 
-TEST(RemeshStarvation, NoTickOfASmallBarIsIdle) { load_often<Small>("small"); }
-TEST(RemeshStarvation, NoTickOfThePapersBarIsIdle) { load_often<CuboidPaper>("cuboid-paper"); }
-TEST(RemeshStarvation, NoTickOfADenseBarIsIdle) { load_often<CuboidDense>("cuboid-dense"); }
+TEST(RemeshStarvation, NoTurnOfASmallBarIsIdle) { load_often<Small>("small"); }
+TEST(RemeshStarvation, NoTurnOfThePapersBarIsIdle) { load_often<CuboidPaper>("cuboid-paper"); }
+TEST(RemeshStarvation, NoTurnOfADenseBarIsIdle) { load_often<CuboidDense>("cuboid-dense"); }
 
 }  // namespace
 }  // namespace palpate::test

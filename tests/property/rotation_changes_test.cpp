@@ -161,7 +161,7 @@ TEST(RotationChanges, ABudgetThatIsJustEnoughIsNotNamed) {
   EXPECT_EQ(state->waiting, 0u);
 }
 
-/// A tick looks at a slice of the front for pairs, and in kPairTicks at all of it.
+/// A tick looks at a slice of the front for pairs, and in kPairTurns at all of it.
 struct FourPairs : Ample {
   static constexpr uint16_t kGroups = 64;
 };
@@ -187,12 +187,12 @@ TEST(RotationChanges, CalmPairsBeginAndEndWithinATurn) {
   wake_calm(*state);
   change_fronts(*state);
   EXPECT_GT(groups_in_pairs(*state), 0u);
-  EXPECT_LE(groups_in_pairs(*state), 2 * 64 / kPairTicks);
-  for (uint32_t tick = 0; tick < kPairTicks; ++tick) change_fronts(*state);
+  EXPECT_LE(groups_in_pairs(*state), 2 * 64 / kPairTurns);
+  for (uint32_t tick = 0; tick < kPairTurns; ++tick) change_fronts(*state);
   EXPECT_EQ(groups_in_pairs(*state), 36u);
   wake_calm(*state);
   // A pair may miss its turn, when the group that it is known by moves.
-  for (uint32_t tick = 0; tick < 2 * kPairTicks; ++tick) change_fronts(*state);
+  for (uint32_t tick = 0; tick < 2 * kPairTurns; ++tick) change_fronts(*state);
   EXPECT_EQ(state->front.groups.used(), 18);
   EXPECT_EQ(state->remesh.groups_joined, 18u);
   EXPECT_EQ(check_front(state->forest, state->front), FrontViolation::kNothing);

@@ -10,7 +10,7 @@ void renew_all_misfits(const Forest<Profile>& forest, const RotationFront<Profil
                        Groups<Profile>& groups) {
   MisfitSweep sweep{};
   sweep.clear();
-  for (uint32_t tick = 0; tick < 2 * kMisfitTicks; ++tick) renew_misfits(forest, front, groups, sweep);
+  for (uint32_t tick = 0; tick < 2 * kMisfitSlices; ++tick) renew_misfits(forest, front, groups, sweep);
 }
 
 }  // namespace palpate::test

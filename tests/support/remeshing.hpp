@@ -54,6 +54,20 @@ bool conforms(const Forest<Profile>& forest, const RotationFront<Profile>& front
   return true;
 }
 
+/// Both fronts' turns, and how urgent the mesh's changes are before its own.
+template <class Profile>
+void change_fronts(State<Profile>& state) {
+  change_front(state);
+  judge_mesh(state);
+  change_mesh(state);
+}
+
+/// Whether the tick before was the mesh's turn.
+template <class Profile>
+bool mesh_had_its_turn(const State<Profile>& state) {
+  return state.tick > 0 && turn_of(state.tick - 1) == Turn::kMesh;
+}
+
 template <class Profile>
 void expect_whole(const State<Profile>& state) {
   ASSERT_EQ(check_forest(state.forest, state.model.block), Violation::kNothing) << "tick " << state.tick;
@@ -74,6 +88,7 @@ void expect_whole(const State<Profile>& state) {
   for (uint32_t node = 0; node < Profile::kNodes; ++node)
     held += state.tethers.holds(static_cast<uint16_t>(node)) ? 1u : 0u;
   ASSERT_EQ(held, state.tethers.count) << "tick " << state.tick;
+  if (!mesh_had_its_turn(state)) return;
   uint32_t waiting = 0;
   for (uint32_t i = 0; i < state.forest.leaf_count; ++i)
     waiting += state.urgencies.of[state.forest.leaf[i].tet] >= Urgencies<Profile>::kWanted ? 1u : 0u;

@@ -179,7 +179,7 @@ class Setup {
       const auto entry = [this] { return RotationEntry::from_raw(draw_.within(1 << 29)); };
       groups.extracted[group] = normalised(Quaternion{RotationEntry::ratio(3, 4), entry(), entry(), entry()});
       groups.used[group] = Quaternion::identity();
-      groups.blend[group] = static_cast<uint8_t>(scene_.blends ? 1 + draw_.below(kBlendTicks - 1) : 0);
+      groups.blend[group] = static_cast<uint8_t>(scene_.blends ? 1 + draw_.below(kBlendSteps - 1) : 0);
       groups.misfit[group] = Misfit::from_raw(static_cast<int32_t>(draw_.next() >> (1 + draw_.below(8))));
       groups.misfit_left[group] = Misfit::from_raw(0);
     }
@@ -222,8 +222,8 @@ class Setup {
 
   /// The misfits go on where a tick has most to renew: leaves below their group's tet, and groups that end.
   void renew_where_most() {
-    constexpr uint32_t kSlice = (Profile::kLeaves + kMisfitTicks - 1) / kMisfitTicks;
-    constexpr uint32_t kMostGroups = Profile::kGroups / kMisfitTicks + 1;
+    constexpr uint32_t kSlice = (Profile::kLeaves + kMisfitSlices - 1) / kMisfitSlices;
+    constexpr uint32_t kMostGroups = Profile::kGroups / kMisfitSlices + 1;
     const auto& front = state_.front;
     uint32_t most = 0;
     for (uint32_t start = 0; start < front.groups.used(); ++start) {

@@ -142,7 +142,7 @@ class Wild {
     for (uint32_t i = 0; i < core_.front.groups.used(); ++i) {
       const uint16_t group = core_.front.groups.live(i);
       if (draw_.one_in(2)) core_.groups.gradient[group] = unstretched();
-      core_.groups.blend[group] = static_cast<uint8_t>(draw_.one_in(4) ? draw_.below(kBlendTicks) : 0);
+      core_.groups.blend[group] = static_cast<uint8_t>(draw_.one_in(4) ? draw_.below(kBlendSteps) : 0);
       core_.groups.misfit_left[group] = Misfit::from_raw(raw() & 0x7fff'ffff);
     }
     // Now all are worth splitting, now all worth joining, or something between.

@@ -1,7 +1,7 @@
 // What elasticity keeps for each group of the rotation front: two rotations, and what was seen of it.
 //
 // `extracted` is the rotation of the group's mean deformation gradient, warm-started from tick to tick.
-// Forces use `used`, which goes to it over kBlendTicks whenever the front changes there, so that no force
+// Forces use `used`, which goes to it in kBlendSteps whenever the front changes there, so that no force
 // jumps.
 #pragma once
 
@@ -10,21 +10,21 @@
 
 namespace palpate {
 
-/// Ticks from the parent's rotation to a new group's own, and back before two groups are joined.
-inline constexpr uint8_t kBlendTicks = 32;
+/// Steps from the parent's rotation to a new group's own, and back before two groups are joined.
+inline constexpr uint8_t kBlendSteps = 32;
 
-/// What part of the way that is left is gone in a tick, by the ticks left: together they are s(t) = 3 t^2 - 2
+/// What part of the way that is left is gone in a step, by the steps left: together they are s(t) = 3 t^2 - 2
 /// t^3 of the whole way, so that the rotation neither starts nor stops with a jerk, which would be felt as a
 /// kick.
-inline constexpr std::array<RotationEntry, kBlendTicks + 1> kBlendParts = [] {
-  constexpr int64_t kWhole = int64_t{kBlendTicks} * kBlendTicks * kBlendTicks;
-  const auto gone = [](int64_t ticks) { return 3 * ticks * ticks * kBlendTicks - 2 * ticks * ticks * ticks; };
-  std::array<RotationEntry, kBlendTicks + 1> parts{};
+inline constexpr std::array<RotationEntry, kBlendSteps + 1> kBlendParts = [] {
+  constexpr int64_t kWhole = int64_t{kBlendSteps} * kBlendSteps * kBlendSteps;
+  const auto gone = [](int64_t steps) { return 3 * steps * steps * kBlendSteps - 2 * steps * steps * steps; };
+  std::array<RotationEntry, kBlendSteps + 1> parts{};
   parts[0] = RotationEntry::ratio(1, 1);
-  for (int64_t left = 1; left <= kBlendTicks; ++left) {
-    const int64_t before = gone(kBlendTicks - left);
+  for (int64_t left = 1; left <= kBlendSteps; ++left) {
+    const int64_t before = gone(kBlendSteps - left);
     parts[static_cast<std::size_t>(left)] =
-        RotationEntry::ratio(gone(kBlendTicks - left + 1) - before, kWhole - before);
+        RotationEntry::ratio(gone(kBlendSteps - left + 1) - before, kWhole - before);
   }
   return parts;
 }();
@@ -37,7 +37,7 @@ template <class Profile>
 struct Groups {
   std::array<Quaternion, Profile::kGroups> extracted;
   std::array<Quaternion, Profile::kGroups> used;
-  std::array<uint8_t, Profile::kGroups> blend;  // ticks until `used` is what it goes to; 0: it is
+  std::array<uint8_t, Profile::kGroups> blend;  // steps until `used` is what it goes to; 0: it is
   std::array<DeformationGradient, Profile::kGroups>
       gradient;                                      // volume mean over the leaves, of the last tick
   std::array<Misfit, Profile::kGroups> misfit;       // see misfit.hpp and misfit_sweep.hpp
@@ -66,8 +66,8 @@ void inherit_rotation(Groups<Profile>& groups, uint16_t group, uint16_t added) {
   groups.gradient[added] = groups.gradient[group];
   groups.misfit[added] = groups.misfit[group];
   groups.misfit_left[added] = groups.misfit_left[group];
-  groups.blend[group] = kBlendTicks;
-  groups.blend[added] = kBlendTicks;
+  groups.blend[group] = kBlendSteps;
+  groups.blend[added] = kBlendSteps;
 }
 
 /// The mean of two groups of equal volume.
@@ -82,7 +82,7 @@ DeformationGradient mean_gradient(const Groups<Profile>& groups, uint16_t a, uin
 template <class Profile>
 void take_over_rotation(Groups<Profile>& groups, uint16_t group, uint16_t gone) {
   groups.gradient[group] = mean_gradient(groups, group, gone);
-  groups.blend[group] = kBlendTicks;
+  groups.blend[group] = kBlendSteps;
 }
 
 /// 1 where a group is about to be joined, else 0. Without a branch, as what follows.

@@ -7,7 +7,7 @@
 namespace palpate {
 
 /// Ticks to renew all misfits; twice as many where groups are of very different size.
-inline constexpr uint32_t kMisfitTicks = 8;
+inline constexpr uint32_t kMisfitSlices = 8;
 
 /// How far the renewal is: in the middle of a group.
 struct MisfitSweep {
@@ -76,12 +76,12 @@ void add_leaf(const Forest<Profile>& forest, const Leaf& leaf, const RotationMat
 
 }  // namespace misfit_detail
 
-/// Goes on through the leaves, in the order of the groups' lists. O((leaves + groups) / kMisfitTicks).
+/// Goes on through the leaves, in the order of the groups' lists. O((leaves + groups) / kMisfitSlices).
 template <class Profile>
 void renew_misfits(const Forest<Profile>& forest, const RotationFront<Profile>& front,
                    Groups<Profile>& groups, MisfitSweep& sweep) {
-  const auto slice = [](uint32_t leaves) { return (leaves + kMisfitTicks - 1) / kMisfitTicks; };
-  constexpr uint32_t kMostGroups = Profile::kGroups / kMisfitTicks + 1;
+  const auto slice = [](uint32_t leaves) { return (leaves + kMisfitSlices - 1) / kMisfitSlices; };
+  constexpr uint32_t kMostGroups = Profile::kGroups / kMisfitSlices + 1;
   auto leaves = bounded_total<slice(Profile::kLeaves)>([] {});
   uint32_t left = slice(forest.leaf_count);
   for ([[maybe_unused]] const uint32_t i : bounded<kMostGroups>(kMostGroups, [] {})) {

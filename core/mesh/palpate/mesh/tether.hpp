@@ -53,6 +53,25 @@ struct Tethers {
     --count;
     tether[at] = tether[count];
   }
+
+  /// A tick of all. `end_draw(tether)` says whether one whose node has been drawn may go: else it stays, and
+  /// holds the node where it is. `taken`: a node that the tool has, so that nothing else moves it.
+  template <class EndDraw>
+  void advance(uint16_t taken, EndDraw end_draw) {
+    uint32_t at = 0;
+    for ([[maybe_unused]] const uint32_t i : bounded<kTethers>(count, [] {})) {
+      Tether& now = tether[at];
+      const bool is_taken = now.node == taken;
+      if (!is_taken && now.ticks_left > 1) {
+        --now.ticks_left;
+        ++at;
+      } else if (is_taken || now.kind == TetherKind::kRelease || end_draw(now)) {
+        remove(at);
+      } else {
+        ++at;
+      }
+    }
+  }
 };
 
 }  // namespace palpate

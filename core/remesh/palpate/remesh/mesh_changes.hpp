@@ -33,16 +33,16 @@ class MeshChanges {
         body_(body),
         counters_(counters) {}
 
-  /// Returns RemeshFlag bits; `changed` says whether the lists of the front need index_groups.
-  uint32_t run(bool& changed) {
+  /// Returns RemeshFlag bits. A tick of the tethers is in it.
+  uint32_t run() {
     if (rules_.criterion == StretchCriterion::kFixed) return 0;
-    advance_tethers();
-    renew_urgencies(forest_, rules_, pinned_, urgencies_);
+    end_draws();
     split_most_urgent();
     draw_calm();
-    changed = changed || changed_;
     return flags_;
   }
+  /// Whether the lists of the front need index_groups.
+  [[nodiscard]] bool changed() const { return changed_; }
 
  private:
   using Urgency = Urgencies<Profile>;
@@ -162,22 +162,10 @@ class MeshChanges {
     tethers_.add(Tether{middle, {ends[0], ends[1]}, tet, kTetherTicks, kind, 0});
   }
 
-  void advance_tethers() {
+  void end_draws() {
     MergeBudget left{bounded_total<2 * Profile::kPatches>(LooksTotal{}),
                      bounded_total<Profile::kPatches>(MergesTotal{}), Profile::kTetsMerged};
-    uint32_t at = 0;
-    for ([[maybe_unused]] const uint32_t i : bounded<Profile::kTethers>(tethers_.count, [] {})) {
-      Tether& tether = tethers_.tether[at];
-      const bool is_taken = tether.node == pinned_;  // by the tool: nothing else moves it
-      if (!is_taken && tether.ticks_left > 1) {
-        --tether.ticks_left;
-        ++at;
-      } else if (is_taken || tether.kind == TetherKind::kRelease || merge_at(tether, left)) {
-        tethers_.remove(at);
-      } else {
-        ++at;  // it holds the node where it is, or now lets go of it
-      }
-    }
+    tethers_.advance(pinned_, [this, &left](Tether& tether) { return merge_at(tether, left); });
   }
 
   /// Merges around a node that has been drawn. False, with the tether turned into a release, when the patch

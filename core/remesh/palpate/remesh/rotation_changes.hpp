@@ -13,7 +13,7 @@
 //                                             parent and its sibling, are apart; full corotation: 0 for two
 //                                             leaves about to be merged, else 1
 //   bool is_blending(group), bool changed_now(group)
-//   void blend(group)                         both measures sleep for some ticks
+//   void blend(group)                         both measures sleep for a while
 //   void inherit(group, added)                after a split
 //   void take_over(group, gone)               after a join
 #pragma once
@@ -25,7 +25,7 @@
 namespace palpate {
 
 /// Ticks to look at all groups for pairs. Misfits are not renewed more often.
-inline constexpr uint32_t kPairTicks = 8;
+inline constexpr uint32_t kPairTurns = 8;
 
 template <class Profile, class Rotations>
 class RotationChanges {
@@ -41,21 +41,22 @@ class RotationChanges {
         begun_(bounded_total<Profile::kRotationChanges>(BegunTotal{})),
         ended_(bounded_total<Profile::kRotationChanges>(EndedTotal{})) {}
 
-  /// Returns RemeshFlag bits; `changed` says whether the lists of the front need index_groups.
-  uint32_t run(bool& changed) {
+  /// Returns RemeshFlag bits.
+  uint32_t run() {
     end_joins();
     split_worst();
     begin_joins();
-    changed = changed || changed_;
     return flags_;
   }
+  /// Whether the lists of the front need index_groups.
+  [[nodiscard]] bool changed() const { return changed_; }
 
  private:
   struct LeavesTotal {};
   struct BegunTotal {};
   struct EndedTotal {};
 
-  static constexpr uint32_t kPairSlice = (Profile::kGroups + kPairTicks - 1) / kPairTicks;
+  static constexpr uint32_t kPairSlice = (Profile::kGroups + kPairTurns - 1) / kPairTurns;
   static constexpr uint32_t kMostPairs = Profile::kStudyCriteria ? Profile::kGroups : kPairSlice;
 
   void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }

@@ -59,10 +59,10 @@ struct RemeshRules {
 struct RemeshCounters {
   uint32_t bisected, merged;  // tets
   uint32_t groups_split, groups_joined;
-  uint16_t leaves_waiting, groups_waiting;  // in the last tick: wanted and not yet done
+  uint16_t leaves_waiting, groups_waiting;  // in the last turn: wanted and not yet done
 };
 
-/// Why something had to wait in the last tick, one bit each; the names are of what to raise.
+/// Why something had to wait in the last turn, one bit each; the names are of what to raise.
 enum class RemeshFlag : uint32_t {
   kPatchBudget = 1u << 0,
   kRotationBudget = 1u << 1,
@@ -72,5 +72,8 @@ enum class RemeshFlag : uint32_t {
   kTethers = 1u << 5,
 };
 inline constexpr uint32_t kRemeshFlags = 6;
+/// Those of the rotation front; the others are of the mesh.
+inline constexpr uint32_t kFrontFlags =
+    static_cast<uint32_t>(RemeshFlag::kRotationBudget) | static_cast<uint32_t>(RemeshFlag::kGroups);
 
 }  // namespace palpate

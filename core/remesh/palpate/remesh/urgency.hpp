@@ -7,8 +7,8 @@
 
 namespace palpate {
 
-/// Ticks to renew all urgencies.
-inline constexpr uint32_t kSweepTicks = 16;
+/// Slices in which all urgencies are renewed.
+inline constexpr uint32_t kSweepSlices = 8;
 
 template <class Profile>
 struct Urgencies {
@@ -19,7 +19,7 @@ struct Urgencies {
   static constexpr uint8_t kWanted = 3;  // and more: wants to be split
   static constexpr uint8_t kMost = 127;
   static constexpr uint8_t kAsleep = 128;  // beside it: not looked at until its next renewal
-  static constexpr uint32_t kSlice = (Profile::kLeaves + kSweepTicks - 1) / kSweepTicks;
+  static constexpr uint32_t kSlice = (Profile::kLeaves + kSweepSlices - 1) / kSweepSlices;
 
   static constexpr uint32_t kFours = (Forest<Profile>::kTets + 3) / 4;
 

@@ -41,8 +41,8 @@ struct GroupRotations {
                                      .raw());
   }
   [[nodiscard]] bool is_blending(uint16_t group) const { return groups.blend[group] > 0; }
-  [[nodiscard]] bool changed_now(uint16_t group) const { return groups.blend[group] == kBlendTicks; }
-  void blend(uint16_t group) { groups.blend[group] = kBlendTicks; }
+  [[nodiscard]] bool changed_now(uint16_t group) const { return groups.blend[group] == kBlendSteps; }
+  void blend(uint16_t group) { groups.blend[group] = kBlendSteps; }
   void inherit(uint16_t group, uint16_t added) { inherit_rotation(groups, group, added); }
   void take_over(uint16_t group, uint16_t gone) { take_over_rotation(groups, group, gone); }
 
@@ -133,21 +133,40 @@ struct TouchedNodes : SolvedNodes<Profile> {
   }
 };
 
-/// Changes of both fronts for one tick. The rotation front comes first: its lists are of the mesh as it is.
+/// The turn of the rotation front.
 template <class Profile>
-void change_fronts(State<Profile>& state) {
-  bool changed = false;
-  const RemeshRules& rules = state.model.remesh;
-  GroupRotations<Profile> rotations{state.groups, state.front, state.forest, state.urgencies, rules.rotation};
-  RotationChanges<Profile, GroupRotations<Profile>> rotation_changes(state.forest, state.front,
-                                                                     rules.rotation, rotations, state.remesh);
-  state.waiting = rotation_changes.run(changed);
+void change_front(State<Profile>& state) {
+  const RotationRules& rules = state.model.remesh.rotation;
+  GroupRotations<Profile> rotations{state.groups, state.front, state.forest, state.urgencies, rules};
+  RotationChanges<Profile, GroupRotations<Profile>> changes(state.forest, state.front, rules, rotations,
+                                                            state.remesh);
+  state.waiting = (state.waiting & ~kFrontFlags) | changes.run();
+  if (changes.changed()) index_groups(state.forest, state.front);
+}
+
+/// The turn of the mesh.
+template <class Profile>
+void change_mesh(State<Profile>& state) {
   TouchedNodes<Profile> nodes{{state.forest, state.solve, state.model}, state.contact.load};
-  MeshChanges<Profile, TouchedNodes<Profile>> mesh_changes(state.forest, state.front, state.tethers,
-                                                           state.urgencies, rules.stretch, state.driven.node,
-                                                           nodes, state.remesh);
-  state.waiting |= mesh_changes.run(changed);
-  if (changed) index_groups(state.forest, state.front);
+  MeshChanges<Profile, TouchedNodes<Profile>> changes(state.forest, state.front, state.tethers,
+                                                      state.urgencies, state.model.remesh.stretch,
+                                                      state.driven.node, nodes, state.remesh);
+  state.waiting = (state.waiting & kFrontFlags) | changes.run();
+  if (changes.changed()) index_groups(state.forest, state.front);
+}
+
+/// Of the mesh, in the turn of others: nothing is merged.
+template <class Profile>
+void advance_tethers(State<Profile>& state) {
+  state.tethers.advance(state.driven.node, [](const Tether&) { return false; });
+}
+
+/// What the next turn of the mesh goes by.
+template <class Profile>
+void judge_mesh(State<Profile>& state) {
+  const StretchRules& rules = state.model.remesh.stretch;
+  if (rules.criterion != StretchCriterion::kFixed)
+    renew_urgencies(state.forest, rules, state.driven.node, state.urgencies);
 }
 
 }  // namespace palpate

@@ -2,8 +2,10 @@
 //
 //   touch      grasp the nearest node, or let go; the held node's target follows the tool; without a grasp
 //              the tool's contact with the surface
-//   remesh     changes of the rotation front and of the mesh, within the profile's budgets
-//   rotations  one extraction step a group, and one blending step; misfits of an eighth of the leaves
+//   remesh     within the profile's budgets: changes of the mesh in one tick of four, of the rotation front
+//              in another one (turn.hpp)
+//   rotations  in the other two: one extraction step a group, and one blending step; misfits of an eighth of
+//              the leaves
 //   integrate  held and driven nodes set out to where they must be at the end of the tick
 //   forces     corotated forces of all leaves; the last evaluation               } once a
 //              also sees what the next rotations need                            } substep
@@ -15,8 +17,11 @@
 // The same state and input give the same bits on every machine.
 #pragma once
 
+#include <type_traits>
+
 #include "palpate/tick/remesh_stage.hpp"
 #include "palpate/tick/stage.hpp"
+#include "palpate/tick/turn.hpp"
 
 namespace palpate {
 namespace tick_stages {
@@ -57,9 +62,17 @@ PALPATE_NOINLINE void touch(State<Profile>& state, const TickInput& input) {
   state.driven.target = is_eased ? eased(state.driven.target, target) : target;
 }
 
-template <class Profile>
+template <Turn kTurn, class Profile>
 PALPATE_NOINLINE void remesh(State<Profile>& state) {
-  change_fronts(state);
+  if constexpr (kTurn == Turn::kMesh) {
+    change_mesh(state);
+  } else {
+    advance_tethers(state);
+    if constexpr (kTurn == Turn::kFront) {
+      change_front(state);
+      judge_mesh(state);
+    }
+  }
 }
 
 template <class Profile>
@@ -132,8 +145,22 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
     probe.leave(which);
   };
   stage(CoreStage::kTouch, [&] { tick_stages::touch(state, input); });
-  stage(CoreStage::kRemesh, [&] { tick_stages::remesh(state); });
-  stage(CoreStage::kRotations, [&] { tick_stages::rotations(state); });
+  const auto take = [&](auto turn, auto&& rotate) {
+    stage(CoreStage::kRemesh, [&] { tick_stages::remesh<turn.value>(state); });
+    stage(CoreStage::kRotations, rotate);
+  };
+  // A branch for the whole turn: what a bound adds up is then what one tick can have.
+  switch (turn_of(state.tick)) {
+    case Turn::kMesh:
+      take(std::integral_constant<Turn, Turn::kMesh>{}, [] {});
+      break;
+    case Turn::kFront:
+      take(std::integral_constant<Turn, Turn::kFront>{}, [] {});
+      break;
+    case Turn::kRotations:
+      take(std::integral_constant<Turn, Turn::kRotations>{}, [&] { tick_stages::rotations(state); });
+      break;
+  }
   stage(CoreStage::kIntegrate, [&] { tick_stages::aim(state, input); });
   advance<Profile::kSubsteps>(
       state.model.dynamics,
