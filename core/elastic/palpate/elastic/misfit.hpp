@@ -26,23 +26,28 @@ class MisfitSums {
  public:
   void clear() {
     squares_ = 0;
-    for (const uint32_t j : bounded<4>(4, [] {})) turn_[j] = zero_vector<Turn>();
+#pragma GCC unroll 6
+    for (const uint32_t j : bounded<kSums>(kSums, [] {})) turn_[j] = zero_vector<Turn>();
   }
 
-  /// A leaf `depth` levels, at least 1, below the group's tet; `turn` is its 2 w, `path` as in Leaf.
+  /// A leaf `depth` levels, at least 1, below the group's tet; `turn` is its 2 w, `path` as in Leaf. Without
+  /// a branch.
   void add(const Vector3<Strain>& turn, uint32_t path, uint32_t depth) {
-    squares_ += dot(turn, turn).raw() >> depth;
-    // A child that is a leaf counts for both of the children that it does not have.
-    const uint32_t j = depth == 1 ? 2u * (path & 1u) : (path >> (depth - 2u)) & 3u;
-    add_turn(turn, depth == 1 ? 2u : depth, turn_[j]);
-    if (depth == 1) add_turn(turn, 2u, turn_[j + 1]);
+    squares_ += static_cast<uint64_t>(dot(turn, turn).raw()) >> depth;
+    const uint32_t is_child = depth == 1 ? 1u : 0u;
+    const uint32_t below = depth - 2u + is_child;
+    const uint32_t place = 4u * is_child + ((path >> below) & (3u - 2u * is_child));
+    add_turn(turn, below + 2u, turn_[place]);
   }
 
   /// M and, of it, what the group leaves in its parent: 4 (D0 / 4 + S / 32). `level` is the group's tet's.
   void finish(uint32_t level, Misfit& misfit, Misfit& left) const {
-    const uint64_t d0 = square(turn_[0] + turn_[1] - (turn_[2] + turn_[3]));
+    // A child that is a leaf counts for both of the children that it does not have: d1 sees nothing of it.
+    const Vector3<Turn> first = turn_[4] + turn_[4];
+    const Vector3<Turn> second = turn_[5] + turn_[5];
+    const uint64_t d0 = square(turn_[0] + turn_[1] + first - (turn_[2] + turn_[3] + second));
     const uint64_t d1 = (square(turn_[0] - turn_[1]) + square(turn_[2] - turn_[3])) / 2;
-    const uint64_t rest = static_cast<uint64_t>(squares_) / 32;
+    const uint64_t rest = squares_ / 32;
     misfit = to_misfit(d0 + d1 + rest, level);
     left = to_misfit(d0 / 4 + rest, level);
   }
@@ -65,8 +70,9 @@ class MisfitSums {
     return raw > 0x7fffffffu ? Misfit::max() : Misfit::from_raw(static_cast<int32_t>(raw));
   }
 
-  std::array<Vector3<Turn>, 4> turn_;  // 2 W_j / V
-  int64_t squares_;                    // 4 S / V
+  static constexpr uint32_t kSums = 6;
+  std::array<Vector3<Turn>, kSums> turn_;  // 2 W_j / V, and half of it of the two children that are leaves
+  uint64_t squares_;                       // 4 S / V
 };
 
 /// What a pair of groups would have as one, on their parent at `level`.

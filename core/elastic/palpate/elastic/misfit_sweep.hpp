@@ -16,6 +16,8 @@ struct MisfitSweep {
   uint16_t leaves;
   uint16_t leaf_at;  // of its leaves, the next one
   MisfitSums sums;   // of those before it
+  // Scratch, of the group: not on the stack, whose variables then meet no pointer.
+  RotationMatrix rotation;
 
   void clear() { begin(0); }
   void begin(uint16_t at) {
@@ -43,31 +45,35 @@ inline Vector3<Strain> turn_of(const Leaf& leaf, const EdgeVectors& edges, const
   const auto add = [&](uint32_t k, const EdgeVector& g) {
     const RotationEntry* column = r.data() + std::size_t{3} * leaf.axes().axis(k);
     const int32_t minus = leaf.axes().is_negative(k) ? -1 : 0;
-    const auto along = [&](Eigen::Index axis) {
-      return Position::from_raw(within_bits<31>(with_sign(minus, g[axis]).raw()));
-    };
+    const auto along = [&](Eigen::Index axis) { return Position::from_raw(within_bits<31>(g[axis].raw())); };
     const Position x = along(0);
     const Position y = along(1);
     const Position z = along(2);
-    sum[0] = multiply_add_high(column[1], z, multiply_add_high(-column[2], y, sum[0]));
-    sum[1] = multiply_add_high(column[2], x, multiply_add_high(-column[0], z, sum[1]));
-    sum[2] = multiply_add_high(column[0], y, multiply_add_high(-column[1], x, sum[2]));
+    const RotationEntry a = with_sign(minus, column[0]);
+    const RotationEntry b = with_sign(minus, column[1]);
+    const RotationEntry c = with_sign(minus, column[2]);
+    sum[0] = multiply_add_high(b, z, multiply_add_high(-c, y, sum[0]));
+    sum[1] = multiply_add_high(c, x, multiply_add_high(-a, z, sum[1]));
+    sum[2] = multiply_add_high(a, y, multiply_add_high(-b, x, sum[2]));
   };
   add(0, edges.g1);
   add(1, edges.g2);
   add(2, edges.g3);
   const int shift = Strain::kFractionBits - Moment::kFractionBits + size_of_level(leaf.level());
   const auto limit = Moment::from_raw(((int32_t{8} << Strain::kFractionBits) - 1) >> shift);
-  const auto scaled = [&](Moment moment) {
-    return Strain::from_raw(clamp(moment, -limit, limit).raw() * (1 << shift));
+  const auto scaled = [&](Moment moment) {  // by size and sign: one comparison needs no branch
+    const int32_t minus = moment.raw() >> 31;
+    const Moment size = with_sign(minus, moment);
+    const Moment within = size < limit ? size : limit;
+    return Strain::from_raw(with_sign(minus, within).raw() * (1 << shift));
   };
   return Vector3<Strain>(scaled(sum[0]), scaled(sum[1]), scaled(sum[2]));
 }
 
+/// The leaf is below the group's tet.
 template <class Profile>
 void add_leaf(const Forest<Profile>& forest, const Leaf& leaf, const RotationMatrix& r, uint8_t group_level,
               MisfitSums& sums) {
-  if (leaf.level() == group_level) return;
   const auto& x = forest.node.position;
   const EdgeVectors edges = edge_vectors(type_of_level(leaf.level()), x[leaf.node[0]], x[leaf.node[1]],
                                          x[leaf.node[2]], x[leaf.node[3]]);
@@ -90,12 +96,13 @@ void renew_misfits(const Forest<Profile>& forest, const RotationFront<Profile>& 
     const Span span = front.leaves[group];
     sweep.resume(front.tet[group], span.count);
     const uint8_t level = forest.level_of(front.tet[group]);
-    const RotationMatrix r = rotation_matrix(groups.used[group]);
+    new (&sweep.rotation) RotationMatrix(rotation_matrix(groups.used[group]));
     const uint32_t rest = static_cast<uint32_t>(span.count) - sweep.leaf_at;
     const uint32_t count = rest < left ? rest : left;
     left -= count;
-    for (const uint32_t k : leaves.take(static_cast<uint32_t>(span.begin) + sweep.leaf_at, count)) {
-      misfit_detail::add_leaf(forest, forest.leaf[front.leaf_order[k]], r, level, sweep.sums);
+    const uint32_t below = forest.tet[front.tet[group]].is_leaf() ? 0u : count;  // a single leaf has no misfit
+    for (const uint32_t k : leaves.take(static_cast<uint32_t>(span.begin) + sweep.leaf_at, below)) {
+      misfit_detail::add_leaf(forest, forest.leaf[front.leaf_order[k]], sweep.rotation, level, sweep.sums);
     }
     sweep.leaf_at = static_cast<uint16_t>(sweep.leaf_at + count);
     if (sweep.leaf_at < span.count) return;
