@@ -86,24 +86,23 @@ Vector3<Half> half_step(const NewtonSystem& s) {
 }
 
 /// q (1, half), normalised: a Cayley update, which also removes the rounding of the step before.
-Quaternion cayley_update(const Quaternion& q, const Vector3<Half>& half) {
+void cayley_update(const Vector3<Half>& half, Quaternion& q) {
   const auto entry = [](RotationEntry of_q, Acc<62> product) {
     return narrow<RotationEntry>(widen<62>(of_q) + product);
   };
   const Half x = half[0];
   const Half y = half[1];
   const Half z = half[2];
-  return normalised(Quaternion{entry(q.w, q.x * -x + q.y * -y + q.z * -z),
-                               entry(q.x, q.w * x + q.y * z + q.z * -y),
-                               entry(q.y, q.w * y + q.z * x + q.x * -z),
-                               entry(q.z, q.w * z + q.x * y + q.y * -x)});  // |p|^2 is in [1, 1.75]
+  q = Quaternion{entry(q.w, q.x * -x + q.y * -y + q.z * -z), entry(q.x, q.w * x + q.y * z + q.z * -y),
+                 entry(q.y, q.w * y + q.z * x + q.x * -z), entry(q.z, q.w * z + q.x * y + q.y * -x)};
+  normalise(q);  // |q|^2 is in [1, 1.75]
 }
 
 }  // namespace
 
-Quaternion extract_rotation(const DeformationGradient& f, const Quaternion& warm) {
-  const Matrix3<Corotated> b = narrow<Corotated>(rotation_matrix(warm).transpose() * f);
-  return cayley_update(warm, half_step(newton_system(b)));
+void extract_rotation(const DeformationGradient& f, Quaternion& q) {
+  const Matrix3<Corotated> b = narrow<Corotated>(rotation_matrix(q).transpose() * f);
+  cayley_update(half_step(newton_system(b)), q);
 }
 
 }  // namespace palpate

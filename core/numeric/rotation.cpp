@@ -33,17 +33,20 @@ RotationMatrix rotation_matrix(const Quaternion& q) {
   return r;
 }
 
-Quaternion normalised(const Quaternion& q) {
+void normalise(Quaternion& q) {
   const auto more = reciprocal_square_root_less_one(narrow<Q<1, 30>>(dot(q, q)));
-  return Quaternion{multiply_add_high(q.w, more, q.w), multiply_add_high(q.x, more, q.x),
-                    multiply_add_high(q.y, more, q.y), multiply_add_high(q.z, more, q.z)};
+  q = Quaternion{multiply_add_high(q.w, more, q.w), multiply_add_high(q.x, more, q.x),
+                 multiply_add_high(q.y, more, q.y), multiply_add_high(q.z, more, q.z)};
 }
 
-Quaternion between(const Quaternion& from, const Quaternion& to, RotationEntry fraction) {
-  const int32_t minus = static_cast<int32_t>(dot(from, to).raw() >> 63);
+void approach(Quaternion& q, const Quaternion& to, RotationEntry fraction) {
+  const int32_t minus = static_cast<int32_t>(dot(q, to).raw() >> 63);
   const Quaternion goal = {with_sign(minus, to.w), with_sign(minus, to.x), with_sign(minus, to.y),
                            with_sign(minus, to.z)};
-  if (fraction == RotationEntry::ratio(1, 1)) return goal;
+  if (fraction == RotationEntry::ratio(1, 1)) {
+    q = goal;
+    return;
+  }
   // From halfway, so that what is multiplied by is below a half.
   const auto beyond = Q<-1, 32>::from_raw((fraction.raw() - RotationEntry::ratio(1, 2).raw()) * 4);
   const auto entry = [beyond](RotationEntry a, RotationEntry b) {
@@ -51,8 +54,8 @@ Quaternion between(const Quaternion& from, const Quaternion& to, RotationEntry f
     const auto halfway = RotationEntry::from_raw(a.raw() + (way.raw() >> 1));
     return multiply_add_high(way, beyond, halfway);
   };
-  return normalised(
-      Quaternion{entry(from.w, goal.w), entry(from.x, goal.x), entry(from.y, goal.y), entry(from.z, goal.z)});
+  q = Quaternion{entry(q.w, goal.w), entry(q.x, goal.x), entry(q.y, goal.y), entry(q.z, goal.z)};
+  normalise(q);
 }
 
 Q<4, 27> square_of_difference(const Quaternion& a, const Quaternion& b) {

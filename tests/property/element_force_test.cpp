@@ -206,7 +206,8 @@ TEST(ElementForce, RigidMotionGivesNoForce) {
       const EdgeVectors edges = edges_of(shape, d);
       uint32_t clamped = 0;
       const DeformationGradient f = deformation_gradient(edges, shape.axes, shape.level, clamped);
-      const Quaternion q = extract_rotation(f, fixed_quaternion(r));
+      Quaternion q = fixed_quaternion(r);
+      extract_rotation(f, q);
       const EdgeForces t =
           corotated_edge_forces(edges, shape.axes, shape.level, rotation_matrix(q), elastic.fixed, clamped);
       // Positions are rounded too: half an LSB each end makes |F - R| up to 2 sqrt(3) h^-1 2^-27.

@@ -177,7 +177,8 @@ class Setup {
     for (uint32_t i = 0; i < front.groups.used(); ++i) {
       const uint16_t group = front.groups.live(i);
       const auto entry = [this] { return RotationEntry::from_raw(draw_.within(1 << 29)); };
-      groups.extracted[group] = normalised(Quaternion{RotationEntry::ratio(3, 4), entry(), entry(), entry()});
+      groups.extracted[group] = Quaternion{RotationEntry::ratio(3, 4), entry(), entry(), entry()};
+      normalise(groups.extracted[group]);
       groups.used[group] = Quaternion::identity();
       groups.blend[group] = static_cast<uint8_t>(scene_.blends ? 1 + draw_.below(kBlendSteps - 1) : 0);
       groups.misfit[group] = Misfit::from_raw(static_cast<int32_t>(draw_.next() >> (1 + draw_.below(8))));

@@ -70,10 +70,11 @@ void inherit_rotation(Groups<Profile>& groups, uint16_t group, uint16_t added) {
   groups.blend[added] = kBlendSteps;
 }
 
-/// The mean of two groups of equal volume.
+/// Makes a group's gradient the mean of it and another one's of equal volume.
 template <class Profile>
-DeformationGradient mean_gradient(const Groups<Profile>& groups, uint16_t a, uint16_t b) {
-  return groups.gradient[a].binaryExpr(groups.gradient[b], [](Stretch x, Stretch y) {
+void take_mean_gradient(Groups<Profile>& groups, uint16_t group, uint16_t other) {
+  DeformationGradient& f = groups.gradient[group];
+  f = f.binaryExpr(groups.gradient[other], [](Stretch x, Stretch y) {
     return Stretch::from_raw((x.raw() + y.raw() + 1) >> 1);  // entries are below 7, of 32
   });
 }
@@ -81,7 +82,7 @@ DeformationGradient mean_gradient(const Groups<Profile>& groups, uint16_t a, uin
 /// After `gone` was joined to `group`, which holds their parent's rotation already.
 template <class Profile>
 void take_over_rotation(Groups<Profile>& groups, uint16_t group, uint16_t gone) {
-  groups.gradient[group] = mean_gradient(groups, group, gone);
+  take_mean_gradient(groups, group, gone);
   groups.blend[group] = kBlendSteps;
 }
 
@@ -99,29 +100,26 @@ template <class Profile>
 }
 
 /// One extraction step a group, then one blending step. Of two groups about to be joined the first holds
-/// their parent's rotation, and both go to it. At most two ticks' worth of extraction: 130 multiplies a
-/// group.
+/// their parent's rotation, and both go to it: its gradient becomes their mean, until forces see it anew. At
+/// most two steps' worth of extraction: 130 multiplies a group.
 template <class Profile>
 void update_rotations(const RotationFront<Profile>& front, Groups<Profile>& groups) {
   auto pairs = bounded_total<Profile::kGroups / 2>([] {});
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
     if (follows_partner(front, group) != 0) continue;
-    DeformationGradient mean;
-    const DeformationGradient* f = &groups.gradient[group];
     for ([[maybe_unused]] const uint32_t pair : pairs.take(0, has_partner(front, group))) {
-      mean = mean_gradient(groups, group, front.partner[group]);
-      f = &mean;
+      take_mean_gradient(groups, group, front.partner[group]);
     }
-    groups.extracted[group] = extract_rotation(*f, groups.extracted[group]);
+    extract_rotation(groups.gradient[group], groups.extracted[group]);
   }
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
     const uint32_t if_follows = 0u - follows_partner(front, group);
     const uint32_t leader = group ^ ((uint32_t{front.partner[group]} ^ group) & if_follows);
     const uint32_t left = groups.blend[group];
-    groups.used[group] = between(groups.used[group], groups.extracted[leader], kBlendParts[left]);
     groups.blend[group] = static_cast<uint8_t>(left - (left > 0 ? 1u : 0u));
+    approach(groups.used[group], groups.extracted[leader], kBlendParts[left]);
   }
 }
 

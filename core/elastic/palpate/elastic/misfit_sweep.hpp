@@ -100,7 +100,8 @@ void renew_misfits(const Forest<Profile>& forest, const RotationFront<Profile>& 
     const uint32_t rest = static_cast<uint32_t>(span.count) - sweep.leaf_at;
     const uint32_t count = rest < left ? rest : left;
     left -= count;
-    const uint32_t below = forest.tet[front.tet[group]].is_leaf() ? 0u : count;  // a single leaf has no misfit
+    const uint32_t below =
+        forest.tet[front.tet[group]].is_leaf() ? 0u : count;  // a single leaf has no misfit
     for (const uint32_t k : leaves.take(static_cast<uint32_t>(span.begin) + sweep.leaf_at, below)) {
       misfit_detail::add_leaf(forest, forest.leaf[front.leaf_order[k]], sweep.rotation, level, sweep.sums);
     }

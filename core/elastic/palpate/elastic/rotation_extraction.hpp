@@ -17,8 +17,9 @@ namespace palpate {
 /// Entries of R^T F while a rotation is extracted: +-128, LSB 2^-24.
 using Corotated = Q<7, 24>;
 
-/// One step from `warm`, below 1 radian a component: about 0.01 deg of error after a step of 5 deg, 1e-4
-/// deg after 1 deg. Columns of F may have norms up to 14. Cost: about 130 multiplies, no division, no loop.
-[[nodiscard]] Quaternion extract_rotation(const DeformationGradient& f, const Quaternion& warm);
+/// Takes q one step nearer to F's rotation, below 1 radian a component: about 0.01 deg of error are left
+/// after a step of 5 deg, 1e-4 deg after 1 deg. Columns of F may have norms up to 14. Cost: about 130
+/// multiplies, no division, no loop.
+void extract_rotation(const DeformationGradient& f, Quaternion& q);
 
 }  // namespace palpate

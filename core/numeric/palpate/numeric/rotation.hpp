@@ -20,13 +20,13 @@ struct Quaternion {
 /// R of a unit quaternion, columns = images of the axes. Error: 1 LSB a entry beyond the quaternion's own.
 RotationMatrix rotation_matrix(const Quaternion& q);
 
-/// q / |q| for |q|^2 in [0.5, 2), or below by a rounding, as halfway between rotations half a turn apart.
-/// Error: 1 LSB. Cost: one reciprocal root and 8 multiplies.
-Quaternion normalised(const Quaternion& q);
+/// q becomes q / |q|, for |q|^2 in [0.5, 2), or below by a rounding, as halfway between rotations half a turn
+/// apart. Error: 1 LSB. Cost: one reciprocal root and 8 multiplies.
+void normalise(Quaternion& q);
 
-/// `fraction` (0 .. 1) of the way from one rotation to another, the short way: from + fraction (to - from),
-/// normalised. With 1 it is `to` (or -to, the same rotation) exactly.
-Quaternion between(const Quaternion& from, const Quaternion& to, RotationEntry fraction);
+/// q goes `fraction` (0 .. 1) of the way to another rotation, the short way: q + fraction (to - q),
+/// normalised. With 1 it becomes `to` (or -to, the same rotation) exactly.
+void approach(Quaternion& q, const Quaternion& to, RotationEntry fraction);
 
 /// 4 (1 - cos theta) of two rotations an angle theta apart, which is |R_a - R_b|_F^2 (Tagawa et al., Eq. 3):
 /// 8 |v|^2 with v the vector part of conj(a) b. Error: 4 LSB of 2^-27.
