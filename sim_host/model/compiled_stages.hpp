@@ -11,9 +11,9 @@
 #define PALPATE_STAGES(keyword, Profile)                                                               \
   keyword template Status start(State<Profile>&, const Model&);                                        \
   keyword template void tick_stages::touch(State<Profile>&, const TickInput&);                         \
-  keyword template void tick_stages::remesh<Turn::kMesh>(State<Profile>&);                             \
-  keyword template void tick_stages::remesh<Turn::kFront>(State<Profile>&);                            \
-  keyword template void tick_stages::remesh<Turn::kRotations>(State<Profile>&);                        \
+  keyword template void tick_stages::remesh<Slot::kMesh>(State<Profile>&);                             \
+  keyword template void tick_stages::remesh<Slot::kFront>(State<Profile>&);                            \
+  keyword template void tick_stages::remesh<Slot::kRotations>(State<Profile>&);                        \
   keyword template void tick_stages::rotations(State<Profile>&);                                       \
   keyword template void tick_stages::forces<Observe::kYes>(State<Profile>&);                           \
   keyword template void tick_stages::forces<Observe::kNo>(State<Profile>&);                            \

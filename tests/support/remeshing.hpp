@@ -65,7 +65,7 @@ void change_fronts(State<Profile>& state) {
 /// Whether the tick before was the mesh's turn.
 template <class Profile>
 bool mesh_had_its_turn(const State<Profile>& state) {
-  return state.tick > 0 && turn_of(state.tick - 1) == Turn::kMesh;
+  return state.tick > 0 && slot_of(state.tick - 1) == Slot::kMesh;
 }
 
 template <class Profile>

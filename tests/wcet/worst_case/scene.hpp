@@ -4,6 +4,7 @@
 #include "draw.hpp"
 #include "palpate/remesh/rules.hpp"
 #include "palpate/tick/profiles.hpp"
+#include "palpate/tick/schedule.hpp"
 
 namespace palpate::worst_case {
 
@@ -25,6 +26,7 @@ enum class Tool : uint8_t {
 
 struct Scene {
   uint32_t seed;
+  Slot slot;  // of the worst tick
   std::array<uint8_t, 3> cubes;
   bool is_apart;         // no two cubes have a face in common
   uint8_t level;         // of all leaves, before the mesh grows

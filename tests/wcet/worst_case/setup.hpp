@@ -186,8 +186,10 @@ class Setup {
     }
   }
 
-  /// As many pairs as a tick can split again.
+  /// As many pairs as a tick can split again. A rotation is extracted for both of them, so that there are
+  /// fewer then.
   void join_groups() {
+    if (scene_.slot == Slot::kRotations) return;
     auto& front = state_.front;
     uint32_t pairs = 0;
     for (uint32_t i = 0; i < front.groups.used() && pairs < Profile::kRotationChanges; ++i) {

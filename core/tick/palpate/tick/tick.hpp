@@ -3,7 +3,7 @@
 //   touch      grasp the nearest node, or let go; the held node's target follows the tool; without a grasp
 //              the tool's contact with the surface
 //   remesh     within the profile's budgets: changes of the mesh in one tick of four, of the rotation front
-//              in another one (turn.hpp)
+//              in another one (schedule.hpp)
 //   rotations  in the other two: one extraction step a group, and one blending step; misfits of an eighth of
 //              the leaves
 //   integrate  held and driven nodes set out to where they must be at the end of the tick
@@ -20,8 +20,8 @@
 #include <type_traits>
 
 #include "palpate/tick/remesh_stage.hpp"
+#include "palpate/tick/schedule.hpp"
 #include "palpate/tick/stage.hpp"
-#include "palpate/tick/turn.hpp"
 
 namespace palpate {
 namespace tick_stages {
@@ -62,13 +62,13 @@ PALPATE_NOINLINE void touch(State<Profile>& state, const TickInput& input) {
   state.driven.target = is_eased ? eased(state.driven.target, target) : target;
 }
 
-template <Turn kTurn, class Profile>
+template <Slot kSlot, class Profile>
 PALPATE_NOINLINE void remesh(State<Profile>& state) {
-  if constexpr (kTurn == Turn::kMesh) {
+  if constexpr (kSlot == Slot::kMesh) {
     change_mesh(state);
   } else {
     advance_tethers(state);
-    if constexpr (kTurn == Turn::kFront) {
+    if constexpr (kSlot == Slot::kFront) {
       change_front(state);
       judge_mesh(state);
     }
@@ -145,20 +145,20 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
     probe.leave(which);
   };
   stage(CoreStage::kTouch, [&] { tick_stages::touch(state, input); });
-  const auto take = [&](auto turn, auto&& rotate) {
-    stage(CoreStage::kRemesh, [&] { tick_stages::remesh<turn.value>(state); });
+  const auto take = [&](auto slot, auto&& rotate) {
+    stage(CoreStage::kRemesh, [&] { tick_stages::remesh<slot.value>(state); });
     stage(CoreStage::kRotations, rotate);
   };
-  // A branch for the whole turn: what a bound adds up is then what one tick can have.
-  switch (turn_of(state.tick)) {
-    case Turn::kMesh:
-      take(std::integral_constant<Turn, Turn::kMesh>{}, [] {});
+  // A branch for the whole slot: what a bound adds up is then what one tick can have.
+  switch (slot_of(state.tick)) {
+    case Slot::kMesh:
+      take(std::integral_constant<Slot, Slot::kMesh>{}, [] {});
       break;
-    case Turn::kFront:
-      take(std::integral_constant<Turn, Turn::kFront>{}, [] {});
+    case Slot::kFront:
+      take(std::integral_constant<Slot, Slot::kFront>{}, [] {});
       break;
-    case Turn::kRotations:
-      take(std::integral_constant<Turn, Turn::kRotations>{}, [&] { tick_stages::rotations(state); });
+    case Slot::kRotations:
+      take(std::integral_constant<Slot, Slot::kRotations>{}, [&] { tick_stages::rotations(state); });
       break;
   }
   stage(CoreStage::kIntegrate, [&] { tick_stages::aim(state, input); });

@@ -1,0 +1,24 @@
+// A cyclic schedule: what changes slowly beside forces takes turns, so that the longest tick has one of it
+// and not the sum.
+#pragma once
+
+#include "palpate/numeric/platform.hpp"
+
+namespace palpate {
+
+/// What has its turn in a tick.
+enum class Slot : uint8_t {
+  kMesh,       // splits and merges
+  kFront,      // groups split and joined; how urgent the next changes of the mesh are
+  kRotations,  // of all groups; what the next changes of the front go by
+};
+
+inline constexpr uint32_t kScheduleTicks = 4;
+
+/// Rotations have every second tick.
+constexpr Slot slot_of(uint32_t tick) {
+  if (tick % 2 != 0) return Slot::kRotations;
+  return tick % kScheduleTicks == 0 ? Slot::kMesh : Slot::kFront;
+}
+
+}  // namespace palpate
