@@ -1,4 +1,4 @@
-// Renews the misfits of all groups, some leaves a tick: what a group would gain from a split changes slowly,
+// Renews the misfits of all groups, some leaves at a time: what a group would gain from a split changes slowly,
 // and is not asked for while it blends.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace palpate {
 
-/// Ticks to renew all misfits; twice as many where groups are of very different size.
+/// Slices in which all misfits are renewed; twice as many where groups are of very different size.
 inline constexpr uint32_t kMisfitSlices = 8;
 
 /// How far the renewal is: in the middle of a group.

@@ -1,4 +1,4 @@
-// Changes of the simulation front in one tick. Every leaf has an urgency, renewed in slices: how much it
+// A turn of the simulation front. Every leaf has an urgency, renewed in slices: how much it
 // wants to be split. The most urgent leaves are split, each with its whole patch, coarser patches first; a
 // leaf that has to wait keeps its urgency, which grows with every renewal, so none starves. One whose patch
 // has to wait for a tether does not hold the others up: it is passed over. Calm patches are merged, after

@@ -1,10 +1,9 @@
-// Changes of the rotation front in one tick: pairs that have blended to their parent's rotation are joined,
-// the worst groups are split, calm pairs start to blend. A group sleeps while it blends. For pairs a tick
-// looks at a slice of the groups.
+// A turn of the rotation front: pairs that have blended to their parent's rotation are joined, the worst
+// groups are split, calm pairs start to blend. A group sleeps while it blends. For pairs a turn looks at a
+// slice of the groups.
 //
 // Misfits are judged group by group. With the other criteria the front conforms: all tets around an edge are
-// split, begin to join, part and are joined in the same tick (front_patch.hpp), so a tick looks at all
-// groups.
+// split, begin to join, part and are joined in the same turn (front_patch.hpp), which looks at all groups.
 //
 // `Rotations` is what elasticity knows and does; a struct with
 //   uint32_t split_measure(group)             how much is wrong with the group as it is; larger is worse
@@ -24,7 +23,7 @@
 
 namespace palpate {
 
-/// Ticks to look at all groups for pairs. Misfits are not renewed more often.
+/// Turns to look at all groups for pairs.
 inline constexpr uint32_t kPairTurns = 8;
 
 template <class Profile, class Rotations>

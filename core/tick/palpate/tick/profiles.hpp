@@ -4,8 +4,9 @@
 //   kLeaves, kNodes, kGroups   what the pools hold
 //   kMaxLevel                  of any leaf
 //   kSubsteps                  at most, a tick
-//   kPatches                   bisected, and merged, a tick; kTetsSplit and kTetsMerged tets in them
-//   kRotationChanges           groups split or begun to be joined a tick
+//   kPatches                   bisected, and merged, in a turn of the mesh (schedule.hpp); kTetsSplit and
+//                              kTetsMerged tets in them
+//   kRotationChanges           groups split or begun to be joined in a turn of the rotation front
 //   kTethers                   nodes that are being released or drawn at a time
 //   kContactCandidates         faces near the tool that a tick looks at closely
 //   kStudyCriteria             whether criteria for studies are compiled in (remesh/rules.hpp)
