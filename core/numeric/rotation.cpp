@@ -1,17 +1,8 @@
 #include "palpate/numeric/rotation.hpp"
 
 #include "palpate/numeric/high_word.hpp"
-#include "palpate/numeric/reciprocal.hpp"
 
 namespace palpate {
-namespace {
-
-Acc<60> dot(const Quaternion& a, const Quaternion& b) {
-  return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-}  // namespace
-
 RotationMatrix rotation_matrix(const Quaternion& q) {
   const auto [w, x, y, z] = q;
   const auto twice = [](Acc<60> acc) { return narrow<RotationEntry>(Acc<59>::from_raw(acc.raw())); };
@@ -31,12 +22,6 @@ RotationMatrix rotation_matrix(const Quaternion& q) {
   r(1, 1) = twice(half - xx - zz);
   r(2, 2) = twice(half - xx - yy);
   return r;
-}
-
-void normalise(Quaternion& q) {
-  const auto more = reciprocal_square_root_less_one(narrow<Q<1, 30>>(dot(q, q)));
-  q = Quaternion{multiply_add_high(q.w, more, q.w), multiply_add_high(q.x, more, q.x),
-                 multiply_add_high(q.y, more, q.y), multiply_add_high(q.z, more, q.z)};
 }
 
 void approach(Quaternion& q, const Quaternion& to, RotationEntry fraction) {

@@ -1,7 +1,9 @@
 // Rotations: a unit quaternion to keep and to compose, a matrix to apply.
 #pragma once
 
+#include "palpate/numeric/high_word.hpp"
 #include "palpate/numeric/linear.hpp"
+#include "palpate/numeric/reciprocal.hpp"
 
 namespace palpate {
 
@@ -17,12 +19,20 @@ struct Quaternion {
   }
 };
 
+inline Acc<60> dot(const Quaternion& a, const Quaternion& b) {
+  return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 /// R of a unit quaternion, columns = images of the axes. Error: 1 LSB a entry beyond the quaternion's own.
 RotationMatrix rotation_matrix(const Quaternion& q);
 
 /// q becomes q / |q|, for |q|^2 in [0.5, 2), or below by a rounding, as halfway between rotations half a turn
 /// apart. Error: 1 LSB. Cost: one reciprocal root and 8 multiplies.
-void normalise(Quaternion& q);
+PALPATE_ALWAYS_INLINE void normalise(Quaternion& q) {
+  const auto more = reciprocal_square_root_less_one(narrow<Q<1, 30>>(dot(q, q)));
+  q = Quaternion{multiply_add_high(q.w, more, q.w), multiply_add_high(q.x, more, q.x),
+                 multiply_add_high(q.y, more, q.y), multiply_add_high(q.z, more, q.z)};
+}
 
 /// q goes `fraction` (0 .. 1) of the way to another rotation, the short way: q + fraction (to - q),
 /// normalised. With 1 it becomes `to` (or -to, the same rotation) exactly.
