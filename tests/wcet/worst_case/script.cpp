@@ -69,7 +69,6 @@ void run_scene(firmware::Run& run, uint32_t seed) {
     scene.slot = slot_of(first);
     set_up(run, scene);
     run.state.core.tick = first;
-    g_inputs.buttons = port::kGraspButton;
     for (uint32_t tick = first; tick < first + 2; ++tick) {
       ++g_inputs.reading_number;
       run_tick(run, seed, tick);
