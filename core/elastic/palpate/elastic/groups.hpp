@@ -104,14 +104,17 @@ template <class Profile>
 /// most two steps' worth of extraction: 130 multiplies a group.
 template <class Profile>
 void update_rotations(const RotationFront<Profile>& front, Groups<Profile>& groups) {
-  auto pairs = bounded_total<Profile::kGroups / 2>([] {});
+  // Of a pair one rotation is extracted, and one mean is taken: together as many as there are groups.
+  auto work = bounded_total<Profile::kGroups>([] {});
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
     if (follows_partner(front, group) != 0) continue;
-    for ([[maybe_unused]] const uint32_t pair : pairs.take(0, has_partner(front, group))) {
+    for ([[maybe_unused]] const uint32_t pair : work.take(0, has_partner(front, group))) {
       take_mean_gradient(groups, group, front.partner[group]);
     }
-    extract_rotation(groups.gradient[group], groups.extracted[group]);
+    for ([[maybe_unused]] const uint32_t once : work.take(0, 1)) {
+      extract_rotation(groups.gradient[group], groups.extracted[group]);
+    }
   }
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
     const uint16_t group = front.groups.live(i);
