@@ -21,7 +21,7 @@ template <class Profile, class Body>
 class MeshChanges {
  public:
   /// `pinned`: a node whose leaves go to their finest level and are never merged, or kNone.
-  MeshChanges(Forest<Profile>& forest, const RotationFront<Profile>& front, Tethers<Profile>& tethers,
+  MeshChanges(Forest<Profile>& forest, RotationFront<Profile>& front, Tethers<Profile>& tethers,
               Urgencies<Profile>& urgencies, const StretchRules& rules, uint16_t pinned, Body& body,
               RemeshCounters& counters)
       : forest_(forest),
@@ -150,6 +150,7 @@ class MeshChanges {
       urgencies_.of[patch.tet[i]] = Urgency::kNeutral;
       urgencies_.of[forest_.child(patch.tet[i], 0)] = Urgency::kNeutral;
       urgencies_.of[forest_.child(patch.tet[i], 1)] = Urgency::kNeutral;
+      ++front_.leaves[forest_.leaf_of(forest_.child(patch.tet[i], 0)).group].count;
     }
     const uint16_t middle = middle_node(forest_.leaf_of(forest_.child(patch.tet[0], 0)));
     body_.added(middle, ends);
@@ -207,6 +208,9 @@ class MeshChanges {
     }
     body_.before_removal(tether.node, tether.end);
     merge(forest_, patch);
+    for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+      --front_.leaves[forest_.leaf_of(patch.tet[i]).group].count;
+    }
     body_.removed(tether.end);
     counters_.merged += patch.count;
     changed_ = true;
@@ -278,7 +282,7 @@ class MeshChanges {
   }
 
   Forest<Profile>& forest_;
-  const RotationFront<Profile>& front_;
+  RotationFront<Profile>& front_;
   Tethers<Profile>& tethers_;
   Urgencies<Profile>& urgencies_;
   const StretchRules& rules_;
