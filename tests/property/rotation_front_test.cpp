@@ -138,7 +138,8 @@ TEST(RotationFront, ANewGroupKnowsHowManyLeavesItHas) {
   ASSERT_NE(added, kNone);
   const auto leaves_of = [&](uint16_t group) {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < mesh.forest->leaf_count; ++i) count += mesh.forest->leaf[i].group == group ? 1 : 0;
+    for (uint32_t i = 0; i < mesh.forest->leaf_count; ++i)
+      count += mesh.forest->leaf[i].group == group ? 1u : 0u;
     return count;
   };
   EXPECT_EQ(mesh.front->leaves[added].count, leaves_of(added));

@@ -3,8 +3,8 @@
 // children on the front, joining is the inverse; neither changes the mesh.
 //
 // Leaves and nodes of a group lie side by side in leaf_order and node_order, which index_groups rebuilds
-// after changes of the front or of the mesh. How many leaves a group has is known at any time. A group of n leaves has at most n + 3 nodes, so all lists are
-// bounded.
+// after changes of the front or of the mesh. How many leaves a group has is kept up to date meanwhile. A
+// group of n leaves has at most n + 3 nodes, so all lists are bounded.
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
@@ -23,7 +23,9 @@ struct alignas(uint32_t) Span {
     __builtin_memcpy(&both, __builtin_assume_aligned(this, sizeof both), sizeof both);
     return both;
   }
-  void set_word(uint32_t both) { __builtin_memcpy(__builtin_assume_aligned(this, sizeof both), &both, sizeof both); }
+  void set_word(uint32_t both) {
+    __builtin_memcpy(__builtin_assume_aligned(this, sizeof both), &both, sizeof both);
+  }
   static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
 };
 
@@ -44,8 +46,8 @@ struct RotationFront {
   std::array<Span, kGroups> nodes;
   std::array<uint16_t, Profile::kLeaves> leaf_order;  // places in Forest::leaf
   std::array<uint16_t, kGroupNodes + 1> node_order;   // the last one is scratch of index_nodes
-  // Of each node, scratch: the group that named it last, while node_order is made; its place in the list of
-  // the group whose forces are computed.
+  // Of each node, scratch: where the leaves of the group begin that named it last, while node_order is made;
+  // its place in the list of the group whose forces are computed.
   std::array<uint32_t, Profile::kNodes> mark;
   uint16_t pairs_at;  // of groups, the place where the looks at pairs go on
 };
@@ -81,18 +83,27 @@ template <class Profile>
 PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<Profile>& front) {
   std::array<uint32_t, Profile::kGroups> next_of;  // of each group: where its next leaf goes
   uint32_t begin = 0;
-#pragma GCC unroll 4
-  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
-    const uint16_t group = front.groups.live(i);
-    const uint32_t count = front.leaves[group].count;
+  const auto start = [&](uint16_t group, uint32_t count) {
     front.leaves[group].set_word(begin | count << 16);
     next_of[group] = begin;
     begin += count;
+  };
+  // Here as below two at a time, since a load has to wait for the store before.
+  const uint32_t used = front.groups.used();
+#pragma GCC unroll 2
+  for (const uint32_t pair : bounded<Profile::kGroups / 2>(used / 2, [] {})) {
+    const uint16_t group0 = front.groups.live(2 * pair), group1 = front.groups.live(2 * pair + 1);
+    const uint32_t count0 = front.leaves[group0].count, count1 = front.leaves[group1].count;
+    start(group0, count0);
+    start(group1, count1);
+  }
+  for (const uint32_t i : bounded<1>(used % 2, [] {})) {
+    const uint16_t group = front.groups.live(used - 1 - i);
+    start(group, front.leaves[group].count);
   }
   const Leaf* const leaves = as_base(forest.leaf.data());
   uint16_t* const leaf_order = as_base(front.leaf_order.data());
   const auto put = [&](uint32_t place, uint32_t leaf) { leaf_order[place] = static_cast<uint16_t>(leaf); };
-  // Two at a time, since a load has to wait for the store before.
   const uint32_t pairs = forest.leaf_count / 2;
 #pragma GCC unroll 2
   for (const uint32_t pair : bounded<Profile::kLeaves / 2>(pairs, [] {})) {
@@ -112,12 +123,13 @@ PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<
 }
 
 /// The second half: the nodes of each group, in the order in which its leaves name them. One loop over the
-/// leaves of all groups: a node is new in a group when one whose leaves are before named it last.
+/// leaves of all groups: a node is new in a group when one whose leaves are before, or none, named it last.
 template <class Profile>
 PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<Profile>& front) {
   uint32_t* const named_by = as_base(front.mark.data());
+  constexpr uint32_t kNobody = 0xffffffff;  // before all, as a number with a sign
 #pragma GCC unroll 8
-  for (const uint32_t i : bounded<Profile::kNodes>(Profile::kNodes, [] {})) named_by[i] = 0u - 1u;
+  for (const uint32_t i : bounded<Profile::kNodes>(Profile::kNodes, [] {})) named_by[i] = kNobody;
   const Leaf* const leaves = as_base(forest.leaf.data());
   const uint16_t* const leaf_order = as_base(front.leaf_order.data());
   uint16_t* const node_order = as_base(front.node_order.data());
@@ -154,8 +166,8 @@ PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<P
   }
 }
 
-/// Rebuilds the lists of all groups from Leaf::group and the numbers of leaves, which changes of the front and
-/// of the mesh keep up to date. O(leaves + nodes + groups).
+/// Rebuilds the lists of all groups from Leaf::group and the numbers of leaves, which changes of the front
+/// and of the mesh keep up to date. O(leaves + nodes + groups).
 template <class Profile>
 void index_groups(const Forest<Profile>& forest, RotationFront<Profile>& front) {
   index_leaves(forest, front);

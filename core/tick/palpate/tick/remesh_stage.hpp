@@ -87,7 +87,8 @@ struct GroupRotations {
     bool may = true;
     for (const uint32_t which : bounded<2>(2, [] {})) {
       const uint16_t child = forest.child(tet, which);
-      may = may && forest.tet[child].is_leaf() && urgencies.of[child] == Urgencies<Profile>::kCalm;
+      may = may && forest.tet[child].is_leaf() &&
+            urgencies.of[forest.tet[child].link()] == Urgencies<Profile>::kCalm;
     }
     return may;
   }
