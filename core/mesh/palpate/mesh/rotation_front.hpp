@@ -224,12 +224,15 @@ template <class Profile, class Total>
   front.partner[added] = kNone;
   const uint8_t level = forest.level_of(tet);
   const Span span = front.leaves[group];
+  const uint32_t difference = uint32_t{added} - group;
+  Leaf* const leaf_at = as_base(forest.leaf.data());
+  const uint16_t* const leaf_order = as_base(front.leaf_order.data());
   uint32_t moved = 0;
 #pragma GCC unroll 4
   for (const uint32_t at : leaves.take(span.begin, span.count)) {
-    Leaf& leaf = forest.leaf[front.leaf_order[at]];
+    Leaf& leaf = leaf_at[leaf_order[at]];
     const uint32_t towards = child_towards(leaf, level);
-    leaf.group = towards == 1 ? added : group;
+    leaf.group = static_cast<uint16_t>(group + towards * difference);
     moved += towards;
   }
   front.leaves[group].count = static_cast<uint16_t>(span.count - moved);
