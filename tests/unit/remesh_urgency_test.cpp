@@ -61,6 +61,35 @@ TEST_F(MostUrgentLeaves, TakeTurnsWhenTheyAreEquallyUrgent) {
   for (uint32_t i = 0; i < Wanted::kLooks; ++i) EXPECT_EQ(wanted_.leaf(i), 6 * Urgency::kBlock + i);
 }
 
+TEST(SixteenTops, AreCountedAndFoundInOrder) {
+  for (uint32_t bits = 0; bits < 1u << 16; ++bits) {
+    std::array<uint32_t, 4> word{};
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < 16; ++i) {
+      word[i / 4] |= (bits >> i & 1u) << (8 * (i % 4) + 7);
+      count += bits >> i & 1u;
+    }
+    const SixteenTops tops{word[0], word[1], word[2], word[3]};
+    ASSERT_EQ(tops.bits(), bits);
+    ASSERT_EQ(tops.count(), count);
+    ASSERT_EQ(tops.any(), bits != 0);
+    if (bits == 0) continue;
+    ASSERT_EQ(bits & ((1u << SixteenTops::first(bits)) - 1u), 0u);
+    ASSERT_EQ(SixteenTops::without_first(bits), bits ^ 1u << SixteenTops::first(bits));
+  }
+}
+
+TEST(Urgencies, MoveWithTheirLeafIntoTheGap) {
+  const auto urgencies = std::make_unique<Urgency>();
+  urgencies->clear();
+  urgencies->of[9] = Urgency::kMost;
+  urgencies->move(4, 9);
+  EXPECT_EQ(urgencies->of[4], Urgency::kMost);
+  EXPECT_EQ(urgencies->of[9], Urgency::kNeutral);
+  urgencies->move(4, 4);
+  EXPECT_EQ(urgencies->of[4], Urgency::kNeutral);
+}
+
 /// However many are in the way: the search goes on where it ran out of looks.
 TEST_F(MostUrgentLeaves, AreFoundBehindBlockedOnes) {
   ASSERT_EQ(refine_uniformly(*forest_, 6), MeshStatus::kDone);
