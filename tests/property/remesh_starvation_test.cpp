@@ -21,7 +21,7 @@ bool could_split(const State<Profile>& state) {
   const Forest<Profile>& forest = state.forest;
   for (uint32_t i = 0; i < forest.leaf_count; ++i) {
     const uint16_t tet = forest.leaf[i].tet;
-    if (state.urgencies.of[tet] < Urgencies<Profile>::kWanted) continue;
+    if (state.urgencies.of[i] < Urgencies<Profile>::kWanted) continue;
     Patch patch{};
     if (find_ready_patch(forest, tet, patch) != MeshStatus::kDone) continue;
     bool may = true;

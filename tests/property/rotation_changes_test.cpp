@@ -222,8 +222,8 @@ TEST(RotationChanges, FullCorotationFollowsTheMesh) {
         if (state->forest.tet[state->front.tet[group]].is_leaf()) continue;
         ASSERT_EQ(state->front.leaves[group].count, 2);
         for (const uint32_t which : {0u, 1u}) {
-          EXPECT_EQ(state->urgencies.of[state->forest.child(state->front.tet[group], which)],
-                    Urgencies<Ample>::kCalm);
+          const uint16_t child = state->forest.child(state->front.tet[group], which);
+          EXPECT_EQ(state->urgencies.of[state->forest.tet[child].link()], Urgencies<Ample>::kCalm);
         }
       }
     }

@@ -129,15 +129,21 @@ TEST(RotationFront, JoiningUndoesSplitting) {
   EXPECT_GT(splits, 50u);
 }
 
-/// Until the lists are made again, a new group has none: no memory of who had its place before.
-TEST(RotationFront, ANewGroupHasNoLeavesUntilItIsIndexed) {
+/// Before the lists are made again: no memory of who had its place before.
+TEST(RotationFront, ANewGroupKnowsHowManyLeavesItHas) {
   MeshWithFront<FrontProfile> mesh = mesh_with_front<FrontProfile>(bar_block(), 3, 1);
   ASSERT_TRUE(join_and_index(*mesh.forest, *mesh.front, 0));
   auto leaves = bounded_total<FrontProfile::kLeaves>([] {});
   const uint16_t added = split_group(*mesh.forest, *mesh.front, 2, leaves);
   ASSERT_NE(added, kNone);
-  EXPECT_EQ(mesh.front->leaves[added].count, 0);
-  EXPECT_EQ(mesh.front->nodes[added].count, 0);
+  const auto leaves_of = [&](uint16_t group) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < mesh.forest->leaf_count; ++i)
+      count += mesh.forest->leaf[i].group == group ? 1u : 0u;
+    return count;
+  };
+  EXPECT_EQ(mesh.front->leaves[added].count, leaves_of(added));
+  EXPECT_EQ(mesh.front->leaves[2].count, leaves_of(2));
 }
 
 TEST(RotationFront, IsMadeOfTheTetsAtALevelAndOfLeavesAboveIt) {

@@ -61,7 +61,7 @@ bool bisect_and_index(Forest<Profile>& forest, RotationFront<Profile>& front, ui
   Patch patch{};
   if (find_ready_patch(forest, wanted, patch) != MeshStatus::kDone) return false;
   if (bisect(forest, patch) != MeshStatus::kDone) return false;
-  index_groups(forest, front);
+  count_and_index_groups(forest, front);
   return true;
 }
 
@@ -75,7 +75,7 @@ bool merge_and_index(Forest<Profile>& forest, RotationFront<Profile>& front, uin
     if (front.tet[leaf.group] == leaf.tet) return false;
   }
   merge(forest, patch);
-  index_groups(forest, front);
+  count_and_index_groups(forest, front);
   return true;
 }
 

@@ -61,7 +61,7 @@ inline Split split_at_random(Moving& m, Random& random) {
   if (bisect(forest, split.patch) != MeshStatus::kDone) return split;
   split.node = forest.nodes.live(forest.nodes.used() - 1u);
   m.nodes().added(split.node, split.ends);
-  index_groups(forest, m.body.front());
+  count_and_index_groups(forest, m.body.front());
   return split;
 }
 

@@ -91,8 +91,10 @@ void expect_whole(const State<Profile>& state) {
   if (!mesh_had_its_turn(state)) return;
   uint32_t waiting = 0;
   for (uint32_t i = 0; i < state.forest.leaf_count; ++i)
-    waiting += state.urgencies.of[state.forest.leaf[i].tet] >= Urgencies<Profile>::kWanted ? 1u : 0u;
+    waiting += state.urgencies.of[i] >= Urgencies<Profile>::kWanted ? 1u : 0u;
   ASSERT_EQ(state.remesh.leaves_waiting, waiting) << "tick " << state.tick;
+  for (uint32_t i = state.forest.leaf_count; i < state.urgencies.of.size(); ++i)
+    ASSERT_EQ(state.urgencies.of[i], Urgencies<Profile>::kNeutral) << "tick " << state.tick;
 }
 
 /// What one tick changed.

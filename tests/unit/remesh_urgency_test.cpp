@@ -18,16 +18,7 @@ class MostUrgentLeaves : public testing::Test {
     EXPECT_EQ(refine_uniformly(*forest_, 3), MeshStatus::kDone);
     urgencies_->clear();
   }
-  uint8_t& urgency(uint32_t leaf) { return urgencies_->of[forest_->leaf[leaf].tet]; }
-  /// In the order of the search, from a tet on.
-  [[nodiscard]] std::vector<uint16_t> leaf_tets_from(uint16_t first) const {
-    std::vector<uint16_t> tets;
-    for (uint32_t i = 0; i < forest_->leaf_count; ++i) {
-      if (forest_->leaf[i].tet >= first) tets.push_back(forest_->leaf[i].tet);
-    }
-    std::sort(tets.begin(), tets.end());
-    return tets;
-  }
+  uint8_t& urgency(uint32_t leaf) { return urgencies_->of[leaf]; }
 
   std::unique_ptr<Forest<Bar>> forest_ = roots_of<Bar>(bar_block());
   std::unique_ptr<Urgency> urgencies_ = std::make_unique<Urgency>();
@@ -47,7 +38,7 @@ TEST_F(MostUrgentLeaves, AreTheMostUrgentInOrder) {
   std::sort(all.rbegin(), all.rend());
   for (uint32_t i = 0; i < Wanted::kLooks; ++i) {
     EXPECT_EQ(wanted_.urgency(i), all[i]);
-    EXPECT_EQ(urgencies_->of[wanted_.tet(i)], all[i]);
+    EXPECT_EQ(urgency(wanted_.leaf(i)), all[i]);
   }
 }
 
@@ -59,24 +50,52 @@ TEST_F(MostUrgentLeaves, AreNeitherAsleepNorBlocked) {
   EXPECT_EQ(waiting.all, 4u);
   EXPECT_EQ(waiting.blocked, 2u);
   ASSERT_EQ(wanted_.count(), 2u);
-  EXPECT_EQ(wanted_.tet(0), forest_->leaf[0].tet);
-  EXPECT_EQ(wanted_.tet(1), forest_->leaf[3].tet);
+  EXPECT_EQ(wanted_.leaf(0), 0u);
+  EXPECT_EQ(wanted_.leaf(1), 3u);
 }
 
 TEST_F(MostUrgentLeaves, TakeTurnsWhenTheyAreEquallyUrgent) {
   for (uint32_t i = 0; i < forest_->leaf_count; ++i) urgency(i) = Urgency::kWanted;
-  urgencies_->split_at = 25;
+  urgencies_->split_at = 6;
   (void)find_most_urgent(*forest_, *urgencies_, kNobody, wanted_);
-  const std::vector<uint16_t> tets = leaf_tets_from(4 * 25);
-  for (uint32_t i = 0; i < Wanted::kLooks; ++i) EXPECT_EQ(wanted_.tet(i), tets[i]);
+  for (uint32_t i = 0; i < Wanted::kLooks; ++i) EXPECT_EQ(wanted_.leaf(i), 6 * Urgency::kBlock + i);
+}
+
+TEST(SixteenTops, AreCountedAndFoundInOrder) {
+  for (uint32_t bits = 0; bits < 1u << 16; ++bits) {
+    std::array<uint32_t, 4> word{};
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < 16; ++i) {
+      word[i / 4] |= (bits >> i & 1u) << (8 * (i % 4) + 7);
+      count += bits >> i & 1u;
+    }
+    const SixteenTops tops{word[0], word[1], word[2], word[3]};
+    ASSERT_EQ(tops.bits(), bits);
+    ASSERT_EQ(tops.count(), count);
+    ASSERT_EQ(tops.any(), bits != 0);
+    if (bits == 0) continue;
+    ASSERT_EQ(bits & ((1u << SixteenTops::first(bits)) - 1u), 0u);
+    ASSERT_EQ(SixteenTops::without_first(bits), bits ^ 1u << SixteenTops::first(bits));
+  }
+}
+
+TEST(Urgencies, MoveWithTheirLeafIntoTheGap) {
+  const auto urgencies = std::make_unique<Urgency>();
+  urgencies->clear();
+  urgencies->of[9] = Urgency::kMost;
+  urgencies->move(4, 9);
+  EXPECT_EQ(urgencies->of[4], Urgency::kMost);
+  EXPECT_EQ(urgencies->of[9], Urgency::kNeutral);
+  urgencies->move(4, 4);
+  EXPECT_EQ(urgencies->of[4], Urgency::kNeutral);
 }
 
 /// However many are in the way: the search goes on where it ran out of looks.
 TEST_F(MostUrgentLeaves, AreFoundBehindBlockedOnes) {
   ASSERT_EQ(refine_uniformly(*forest_, 6), MeshStatus::kDone);
   for (uint32_t i = 0; i < forest_->leaf_count; ++i) urgency(i) = Urgency::kMost;
-  const uint16_t last = leaf_tets_from(0).back();
-  const auto is_not_last = [&](const Leaf& leaf) { return leaf.tet == last ? 0u : 1u; };
+  const uint16_t last = forest_->leaf_count - 1;
+  const auto is_not_last = [&](const Leaf& leaf) { return &leaf == &forest_->leaf[last] ? 0u : 1u; };
   uint32_t ticks = 0;
   for (; wanted_.count() == 0 && ticks < 16; ++ticks) {
     const Waiting waiting = find_most_urgent(*forest_, *urgencies_, is_not_last, wanted_);
@@ -84,7 +103,7 @@ TEST_F(MostUrgentLeaves, AreFoundBehindBlockedOnes) {
     EXPECT_LT(waiting.blocked, waiting.all);
   }
   ASSERT_EQ(wanted_.count(), 1u);
-  EXPECT_EQ(wanted_.tet(0), last);
+  EXPECT_EQ(wanted_.leaf(0), last);
   EXPECT_GT(ticks, 1u);
   EXPECT_LE(ticks, forest_->leaf_count / kMostLooks<Bar> + 1);
 }
@@ -92,8 +111,7 @@ TEST_F(MostUrgentLeaves, AreFoundBehindBlockedOnes) {
 /// Each more urgent than all before it, which is as dear as it gets: the search ends, with the most urgent of
 /// those that it took.
 TEST_F(MostUrgentLeaves, AreFoundWithinTheBudgetOfOffers) {
-  const std::vector<uint16_t> tets = leaf_tets_from(0);
-  for (uint32_t i = 0; i < 120; ++i) urgencies_->of[tets[i]] = static_cast<uint8_t>(Urgency::kWanted + i);
+  for (uint32_t i = 0; i < 120; ++i) urgency(i) = static_cast<uint8_t>(Urgency::kWanted + i);
   const Waiting waiting = find_most_urgent(*forest_, *urgencies_, kNobody, wanted_);
   EXPECT_EQ(waiting.all, 120u);
   EXPECT_EQ(wanted_.count(), Wanted::kLooks);

@@ -50,7 +50,7 @@ class MeshGrowth {
       Patch patch{};
       if (draw_patch(patch) && bisect(forest_, patch) == MeshStatus::kDone) misses = 0;
     }
-    index_groups(forest_, state_.front);
+    count_and_index_groups(forest_, state_.front);
   }
 
  private:
@@ -101,14 +101,14 @@ inline uint16_t draw_group(const CoreState& state, Front which, Draw& draw) {
 /// Groups of the front are split until so many are in use.
 inline void split_groups(CoreState& state, const Scene& scene, Draw& draw) {
   auto& front = state.front;
-  index_groups(state.forest, front);
+  count_and_index_groups(state.forest, front);
   constexpr uint32_t kMostMisses = 20;
   for (uint32_t misses = 0; misses < kMostMisses && front.groups.used() < scene.most_groups; ++misses) {
     const uint16_t group = draw_group(state, scene.front, draw);
     if (group == kNone) continue;
     auto leaves = bounded_total<Profile::kLeaves>([] {});
     if (split_group(state.forest, front, group, leaves) == kNone) return;
-    index_groups(state.forest, front);
+    count_and_index_groups(state.forest, front);
     misses = 0;
   }
 }

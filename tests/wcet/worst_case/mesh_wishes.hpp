@@ -97,22 +97,23 @@ class MeshWishes {
   void meet_worst_last() {
     constexpr uint32_t kOffers = 7 * MostUrgent<Profile>::kLooks;
     static_assert(Urgency::kWanted + kOffers < kLastOnes);
-    constexpr uint32_t kFours = Urgency::kFours;
+    constexpr uint32_t kBlocks = Urgency::kBlocks;
+    constexpr uint32_t kBlock = Urgency::kBlock;
     uint32_t longest = 0;
     uint32_t since = 0;  // the last of the most urgent
-    for (uint32_t i = 0; i < 2 * kFours; ++i, ++since) {
-      if (FourUrgencies(state_.urgencies, i % kFours).reach(FourUrgencies::each(kLastOnes)) == 0) continue;
+    for (uint32_t i = 0; i < 2 * kBlocks; ++i, ++since) {
+      if (!has_last_ones(i % kBlocks)) continue;
       if (since > longest)
-        state_.urgencies.split_at = static_cast<uint16_t>((i + 2 * kFours + 1 - since) % kFours);
+        state_.urgencies.split_at = static_cast<uint16_t>((i + 2 * kBlocks + 1 - since) % kBlocks);
       if (since > longest) longest = since;
       since = 0;
     }
     uint32_t offers = 0;
-    for (uint32_t i = 0; i < 4 * kFours; ++i) {
-      uint8_t& of = state_.urgencies.of[(4u * state_.urgencies.split_at + i) % (4 * kFours)];
+    for (uint32_t i = 0; i < kBlock * kBlocks; ++i) {
+      const uint32_t leaf = (kBlock * state_.urgencies.split_at + i) % (kBlock * kBlocks);
+      uint8_t& of = state_.urgencies.of[leaf];
       if (of != Urgency::kWanted) continue;
-      const auto tet = static_cast<uint16_t>(&of - state_.urgencies.of.data());
-      if (is_tethered(refinement_edge(forest_.leaf_of(tet)))) {
+      if (is_tethered(refinement_edge(forest_.leaf[leaf]))) {
         of = Urgency::kMost;
       } else if (offers < kOffers) {
         of = static_cast<uint8_t>(Urgency::kWanted + offers++);
@@ -203,7 +204,11 @@ class MeshWishes {
     return state_.tethers.holds(ends[0]) || state_.tethers.holds(ends[1]);
   }
 
-  uint8_t& urgency(uint16_t tet) { return state_.urgencies.of[tet]; }
+  [[nodiscard]] bool has_last_ones(uint32_t block) const {
+    const uint8_t* const of = &state_.urgencies.of[Urgency::kBlock * block];
+    return std::any_of(of, of + Urgency::kBlock, [](uint8_t urgency) { return urgency >= kLastOnes; });
+  }
+  uint8_t& urgency(uint16_t tet) { return state_.urgencies.of[forest_.tet[tet].link()]; }
 
   CoreState& state_;
   TheForest& forest_;

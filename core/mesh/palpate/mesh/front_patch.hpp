@@ -25,6 +25,15 @@ inline void add_once(FrontPatch& patch, uint16_t tet) {
   ++patch.count;
 }
 
+/// The two faces of a leaf that hold an edge; where it has none, of a broken mesh, some others.
+inline EdgeOthers faces_at(const Leaf& leaf, uint16_t end0, uint16_t end1) {
+  EdgeOthers faces{0, 0};
+  for (const uint32_t face : bounded<4>(4, [] {})) {
+    if (leaf.node[face] != end0 && leaf.node[face] != end1) faces = EdgeOthers{face, faces.first};
+  }
+  return faces;
+}
+
 }  // namespace front_patch_detail
 
 /// The tets at the level of `tet`, an internal one, around its refinement edge. kNotReady when some of them
@@ -39,8 +48,11 @@ template <class Profile>
   // further bisections halve the piece between these two places or leave it as it is.
   Patch around;
   const uint16_t start = first_leaf(forest, tet);
-  const MeshStatus walk = walk_around_edge(forest, start, refinement_end(type_of_level(level)), around,
-                                           [](const Leaf&) { return true; });
+  const uint32_t end = refinement_end(type_of_level(level));
+  const EdgeEnds edge{forest.leaf_of(start).node[0], forest.leaf_of(start).node[end]};
+  const MeshStatus walk = walk_around_edge(
+      forest, start, end, around, [](const Leaf&) { return true; },
+      [=](uint16_t, const Leaf& leaf) { return front_patch_detail::faces_at(leaf, edge[0], edge[1]); });
   check(walk == MeshStatus::kDone, "the walk around a piece of an edge did not close");
   for (const uint32_t i : bounded<kMaxPatch>(around.count, [] {})) {
     const uint16_t group = forest.leaf_of(around.tet[i]).group;

@@ -21,6 +21,20 @@ struct Patch {
   uint16_t blocker;  // with kNotReady: the coarser leaf that must be bisected first
 };
 
+/// How many tets the patches of a tick may have, all together: a total for each loop over them. `Of` tells
+/// totals apart that are made side by side.
+template <uint32_t MostTets, class Of>
+struct PatchTotals {
+  struct Changed {};
+  struct Connected {};
+  struct Noted {};
+  BoundedTotal<MostTets, Changed> changed{Changed{}};
+  BoundedTotal<MostTets, Connected> connected{Connected{}};
+  BoundedTotal<MostTets, Noted> noted{Noted{}};  // by whom the patch is changed for
+
+  [[nodiscard]] constexpr uint32_t left() const { return changed.left(); }
+};
+
 using EdgeEnds = std::array<uint16_t, 2>;
 
 /// The edge that a bisection of this leaf halves.
@@ -41,67 +55,62 @@ EdgeEnds restored_edge(const Forest<Profile>& forest, uint16_t parent) {
                   forest.leaf_of(forest.child(parent, 1)).node[end - 1]};
 }
 
-/// Where a walk around an edge goes on: the face of `leaf` that holds the edge and is not the one towards the
-/// tet that it comes from.
-inline uint32_t exit_around_edge(const Leaf& leaf, uint16_t end0, uint16_t end1, uint16_t from) {
-  const auto is_exit = [&](uint32_t face) {
-    return all_of(leaf.node[face] != end0, leaf.node[face] != end1, leaf.neighbour[face] != from) ? 1u : 0u;
-  };
-  constexpr uint32_t kAPlace = 3;  // for a broken mesh, until it is found to be one
-  return (is_exit(1) + 2 * is_exit(2) + 3 * is_exit(3)) & kAPlace;
-}
-
-/// Collects into patch.tet the leaves around the edge (end0, end1) of leaf tet `start`, which has it between
-/// its places 0 and `end`. `accepts(leaf)` must hold for each; the first that fails becomes the blocker.
-template <class Profile, class Accepts>
+/// Collects into patch.tet the leaves around an edge of leaf tet `start`, which has it between its places 0
+/// and `end`. `accepts(leaf)` must hold for each; the first that fails becomes the blocker. Of those that it
+/// holds for, `faces(tet, leaf)` are the two that hold the edge.
+template <class Profile, class Accepts, class Faces>
 [[nodiscard]] MeshStatus walk_around_edge(const Forest<Profile>& forest, uint16_t start, uint32_t end,
-                                          Patch& patch, Accepts accepts) {
-  const uint16_t end0 = forest.leaf_of(start).node[0];
-  const uint16_t end1 = forest.leaf_of(start).node[end];
+                                          Patch& patch, Accepts accepts, Faces faces) {
+  const Leaf& first = forest.leaf_of(start);
   patch.tet[0] = start;
-  patch.count = 1;
   patch.blocker = kNone;
+  uint32_t count = 1;
   uint16_t from = start;
-  uint32_t exit = others(end).first;
+  uint16_t next = first.neighbour[others(end).first];
   bool second_way = false;
   for ([[maybe_unused]] const uint32_t step : bounded<kMaxPatch + 1>(kMaxPatch + 1, [] {})) {
-    const uint16_t next = forest.leaf_of(from).neighbour[exit];
-    if (any_of(next == start, all_of(next == kNone, second_way))) return MeshStatus::kDone;
-    if (next == kNone) {
+    const bool is_surface = next == kNone;
+    if (any_of(next == start, is_surface)) {
+      patch.count = count;
+      if (!all_of(is_surface, !second_way)) return MeshStatus::kDone;
       second_way = true;
       from = start;
-      exit = others(end).second;
+      next = first.neighbour[others(end).second];
       continue;
     }
     const Leaf& leaf = forest.leaf_of(next);
-    const bool is_full = patch.count == kMaxPatch;
+    const EdgeOthers both = faces(next, leaf);
+    const uint16_t one = leaf.neighbour[both.first], other = leaf.neighbour[both.second];
+    const bool is_full = count == kMaxPatch;
     check(!is_full || !accepts(leaf), "a patch has more than kMaxPatch tets");
     if (any_of(is_full, !accepts(leaf))) {
+      patch.count = count;
       patch.blocker = next;
       return MeshStatus::kNotReady;
     }
-    patch.tet[patch.count] = next;
-    ++patch.count;
-    exit = exit_around_edge(leaf, end0, end1, from);
+    patch.tet[count] = next;
+    ++count;
+    const uint16_t behind = one == from ? other : one;
     from = next;
+    next = behind;
   }
+  patch.count = count;
   check(false, "the walk around an edge did not close");
   return MeshStatus::kNotReady;
 }
 
 /// All leaves around the refinement edge of leaf tet `start`. With kNotReady, patch.blocker is the first
-/// coarser leaf.
+/// coarser leaf. A leaf of the same level has the edge as its refinement edge too: no other one is as long.
 template <class Profile>
 [[nodiscard]] MeshStatus find_patch(const Forest<Profile>& forest, uint16_t start, Patch& patch) {
   const Leaf& first = forest.leaf_of(start);
   if (first.level() >= Profile::kMaxLevel) return MeshStatus::kLevelLimit;
-  const EdgeEnds edge = refinement_edge(first);
-  return walk_around_edge(forest, start, refinement_end(type_of_level(first.level())), patch,
-                          [=](const Leaf& leaf) {
-                            const EdgeEnds other = refinement_edge(leaf);
-                            return any_of(all_of(other[0] == edge[0], other[1] == edge[1]),
-                                          all_of(other[0] == edge[1], other[1] == edge[0]));
-                          });
+  const uint8_t level = first.level();
+  const uint32_t end = refinement_end(type_of_level(level));
+  const EdgeOthers faces = others(end);
+  return walk_around_edge(
+      forest, start, end, patch, [=](const Leaf& leaf) { return leaf.level() == level; },
+      [=](uint16_t, const Leaf&) { return faces; });
 }
 
 /// The patch to bisect next so that leaf tet `wanted` can be bisected: its own if ready, else a coarser one
@@ -139,9 +148,17 @@ template <class Profile>
   const uint8_t level = forest.level_of(first);
   const uint32_t end = refinement_end(type_of_level(static_cast<uint8_t>(level - 1)));
   const uint16_t middle = middle_node(forest.leaf_of(first));
-  const MeshStatus status = walk_around_edge(forest, first, end, patch, [=](const Leaf& leaf) {
-    return all_of(leaf.level() == level, leaf.node[end] == middle);
-  });
+  // A first child has the edge's end at place 0, a second child at the one before the middle's.
+  const EdgeOthers of_first = others(end);
+  const EdgeOthers of_second = EdgeOthers{end == 1 ? 2u : 0u, end == 3 ? 1u : 3u};
+  const MeshStatus status = walk_around_edge(
+      forest, first, end, patch,
+      [=](const Leaf& leaf) { return all_of(leaf.level() == level, leaf.node[end] == middle); },
+      [=](uint16_t tet, const Leaf&) {
+        const bool is_second = (tet & 1u) != 0;
+        return EdgeOthers{is_second ? of_second.first : of_first.first,
+                          is_second ? of_second.second : of_first.second};
+      });
   if (status != MeshStatus::kDone) return MeshStatus::kNotMergeable;
   for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
     if (!forest.tet[Forest<Profile>::sibling(patch.tet[i])].is_leaf()) return MeshStatus::kNotMergeable;
@@ -152,12 +169,24 @@ template <class Profile>
 
 /// Splits the leaves of a patch from find_patch or find_ready_patch at the midpoint of their edge. The new
 /// node takes the mean position and velocity of the edge's ends. Changes nothing unless it returns kDone.
+/// `totals` has the patch's tets left.
+template <class Profile, class Totals>
+[[nodiscard]] MeshStatus bisect(Forest<Profile>& forest, const Patch& patch, Totals& totals);
 template <class Profile>
-[[nodiscard]] MeshStatus bisect(Forest<Profile>& forest, const Patch& patch);
+[[nodiscard]] MeshStatus bisect(Forest<Profile>& forest, const Patch& patch) {
+  PatchTotals<kMaxPatch, Patch> totals;
+  return bisect(forest, patch, totals);
+}
 
-/// The inverse of bisect for a patch from find_merge: the parents become leaves, the middle node goes.
+/// The inverse of bisect for a patch from find_merge: the parents become leaves, the middle node goes. Of
+/// each gap that this makes among the leaves `moved(gap, from)` is told, which leaf fills it.
+template <class Profile, class Totals, class Moved>
+void merge(Forest<Profile>& forest, const Patch& patch, Totals& totals, Moved moved);
 template <class Profile>
-void merge(Forest<Profile>& forest, const Patch& patch);
+void merge(Forest<Profile>& forest, const Patch& patch) {
+  PatchTotals<kMaxPatch, Patch> totals;
+  merge(forest, patch, totals, [](uint16_t, uint16_t) {});
+}
 
 }  // namespace palpate
 

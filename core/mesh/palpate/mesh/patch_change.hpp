@@ -97,9 +97,9 @@ void reconnect_across(Forest<Profile>& forest, uint16_t parent) {
 }
 
 /// The parent becomes a leaf again in its first child's slot; its second child's slot is filled by the last
-/// leaf.
+/// leaf, from the place that is behind all leaves then. Returns that slot.
 template <class Profile>
-void join_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
+uint16_t join_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   const uint16_t pair = forest.tet[parent].link();
   const Leaf leaf0 = forest.leaf_of(static_cast<uint16_t>(2 * pair));
   const Leaf leaf1 = forest.leaf_of(static_cast<uint16_t>(2 * pair + 1));
@@ -123,6 +123,7 @@ void join_tet(Forest<Profile>& forest, uint16_t parent, uint16_t middle) {
   forest.leaf[slot1] = last;
   if (slot1 != forest.leaf_count) forest.tet[last.tet] = Tet::leaf(slot1);
   forest.pairs.release(pair);
+  return slot1;
 }
 
 template <class Profile>
@@ -146,31 +147,32 @@ uint16_t make_middle_node(Forest<Profile>& forest, uint16_t end0, uint16_t end1)
 
 }  // namespace patch_change
 
-template <class Profile>
-MeshStatus bisect(Forest<Profile>& forest, const Patch& patch) {
+template <class Profile, class Totals>
+MeshStatus bisect(Forest<Profile>& forest, const Patch& patch, Totals& totals) {
   if (!forest.has_room_for_leaves(patch.count)) return MeshStatus::kLeavesFull;
   if (!forest.pairs.has_room(patch.count)) return MeshStatus::kPairsFull;
   if (!forest.nodes.has_room(1)) return MeshStatus::kNodesFull;
   const EdgeEnds edge = refinement_edge(forest.leaf_of(patch.tet[0]));
   const uint16_t middle = patch_change::make_middle_node(forest, edge[0], edge[1]);
-  for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+  for (const uint32_t i : totals.changed.take(0, patch.count)) {
     patch_change::split_tet(forest, patch.tet[i], middle);
   }
-  for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+  for (const uint32_t i : totals.connected.take(0, patch.count)) {
     patch_change::connect_across(forest, patch.tet[i]);
   }
   forest.leaf_counters.note(forest.leaf_count);
   return MeshStatus::kDone;
 }
 
-template <class Profile>
-void merge(Forest<Profile>& forest, const Patch& patch) {
+template <class Profile, class Totals, class Moved>
+void merge(Forest<Profile>& forest, const Patch& patch, Totals& totals, Moved moved) {
   const uint16_t middle = middle_node(forest.leaf_of(forest.child(patch.tet[0], 0)));
-  for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
+  for (const uint32_t i : totals.connected.take(0, patch.count)) {
     patch_change::reconnect_across(forest, patch.tet[i]);
   }
-  for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-    patch_change::join_tet(forest, patch.tet[i], middle);
+  for (const uint32_t i : totals.changed.take(0, patch.count)) {
+    const uint16_t gap = patch_change::join_tet(forest, patch.tet[i], middle);
+    moved(gap, forest.leaf_count);
   }
   check(forest.node.mass[middle] == 0, "a merged node keeps mass");
   forest.nodes.release(middle);

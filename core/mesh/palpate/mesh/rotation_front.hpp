@@ -3,11 +3,12 @@
 // children on the front, joining is the inverse; neither changes the mesh.
 //
 // Leaves and nodes of a group lie side by side in leaf_order and node_order, which index_groups rebuilds
-// after changes of the front or of the mesh. A group of n leaves has at most n + 3 nodes, so all lists are
-// bounded.
+// after changes of the front or of the mesh. How many leaves a group has is kept up to date meanwhile. A
+// group of n leaves has at most n + 3 nodes, so all lists are bounded.
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
+#include "palpate/numeric/as_base.hpp"
 
 namespace palpate {
 
@@ -15,6 +16,17 @@ namespace palpate {
 struct alignas(uint32_t) Span {
   uint16_t begin;
   uint16_t count;
+
+  /// Both at once, `begin` below: two halfwords would take a store each.
+  [[nodiscard]] uint32_t word() const {
+    uint32_t both;
+    __builtin_memcpy(&both, __builtin_assume_aligned(this, sizeof both), sizeof both);
+    return both;
+  }
+  void set_word(uint32_t both) {
+    __builtin_memcpy(__builtin_assume_aligned(this, sizeof both), &both, sizeof both);
+  }
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
 };
 
 template <class Profile>
@@ -34,8 +46,8 @@ struct RotationFront {
   std::array<Span, kGroups> nodes;
   std::array<uint16_t, Profile::kLeaves> leaf_order;  // places in Forest::leaf
   std::array<uint16_t, kGroupNodes + 1> node_order;   // the last one is scratch of index_nodes
-  // Of each node, scratch: the group that named it last, while node_order is made; its place in the list of
-  // the group whose forces are computed.
+  // Of each node, scratch: where the leaves of the group begin that named it last, while node_order is made;
+  // its place in the list of the group whose forces are computed.
   std::array<uint32_t, Profile::kNodes> mark;
   uint16_t pairs_at;  // of groups, the place where the looks at pairs go on
 };
@@ -66,70 +78,112 @@ template <class Profile>
   return tet;
 }
 
-/// The first half of index_groups: the leaves of each group, in their order.
+/// The first half of index_groups: the leaves of each group, in their order. How many they are is known.
 template <class Profile>
 PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<Profile>& front) {
-  std::array<uint32_t, Profile::kGroups> at;  // of each group: how many leaves, then where its next one goes
-  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) at[front.groups.live(i)] = 0;
-#pragma GCC unroll 4
-  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) ++at[forest.leaf[i].group];
+  std::array<uint32_t, Profile::kGroups> next_of;  // of each group: where its next leaf goes
   uint32_t begin = 0;
-  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
-    const uint16_t group = front.groups.live(i);
-    const uint32_t count = at[group];
-    front.leaves[group] = Span{static_cast<uint16_t>(begin), static_cast<uint16_t>(count)};
-    at[group] = begin;
+  const auto start = [&](uint16_t group, uint32_t count) {
+    front.leaves[group].set_word(begin | count << 16);
+    next_of[group] = begin;
     begin += count;
+  };
+  // Here as below two at a time, since a load has to wait for the store before.
+  const uint32_t used = front.groups.used();
+#pragma GCC unroll 2
+  for (const uint32_t pair : bounded<Profile::kGroups / 2>(used / 2, [] {})) {
+    const uint16_t group0 = front.groups.live(2 * pair), group1 = front.groups.live(2 * pair + 1);
+    const uint32_t count0 = front.leaves[group0].count, count1 = front.leaves[group1].count;
+    start(group0, count0);
+    start(group1, count1);
   }
-#pragma GCC unroll 4
-  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    uint32_t& next = at[forest.leaf[i].group];
-    front.leaf_order[next] = static_cast<uint16_t>(i);
-    ++next;
+  for (const uint32_t i : bounded<1>(used % 2, [] {})) {
+    const uint16_t group = front.groups.live(used - 1 - i);
+    start(group, front.leaves[group].count);
+  }
+  const Leaf* const leaves = as_base(forest.leaf.data());
+  uint16_t* const leaf_order = as_base(front.leaf_order.data());
+  const auto put = [&](uint32_t place, uint32_t leaf) { leaf_order[place] = static_cast<uint16_t>(leaf); };
+  const uint32_t pairs = forest.leaf_count / 2;
+#pragma GCC unroll 2
+  for (const uint32_t pair : bounded<Profile::kLeaves / 2>(pairs, [] {})) {
+    const uint32_t first = 2 * pair;
+    const uint32_t group0 = leaves[first].group;
+    const uint32_t group1 = leaves[first + 1].group;
+    const uint32_t place0 = next_of[group0];
+    const uint32_t place1 = next_of[group1] + (group0 == group1 ? 1u : 0u);
+    next_of[group0] = place0 + 1;
+    next_of[group1] = place1 + 1;
+    put(place0, first);
+    put(place1, first + 1);
+  }
+  for (const uint32_t i : bounded<1>(forest.leaf_count % 2, [] {})) {
+    put(next_of[leaves[2 * pairs + i].group], 2 * pairs + i);
   }
 }
 
-/// The second half: the nodes of each group, in the order in which its leaves name them.
+/// The second half: the nodes of each group, in the order in which its leaves name them. One loop over the
+/// leaves of all groups: a node is new in a group when one whose leaves are before, or none, named it last.
 template <class Profile>
 PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<Profile>& front) {
-  uint32_t* const last_group = front.mark.data();
+  uint32_t* const named_by = as_base(front.mark.data());
+  constexpr uint32_t kNobody = 0xffffffff;  // before all, as a number with a sign
 #pragma GCC unroll 8
-  for (const uint32_t i : bounded<Profile::kNodes>(Profile::kNodes, [] {})) last_group[i] = kNone;
-  auto leaves = bounded_total<Profile::kLeaves>([] {});
-  uint16_t* end = front.node_order.data();
+  for (const uint32_t i : bounded<Profile::kNodes>(Profile::kNodes, [] {})) named_by[i] = kNobody;
+  const Leaf* const leaves = as_base(forest.leaf.data());
+  const uint16_t* const leaf_order = as_base(front.leaf_order.data());
+  uint16_t* const node_order = as_base(front.node_order.data());
+  uint32_t end = 0;
+#pragma GCC unroll 4
+  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
+    // All is loaded before anything is stored.
+    const Leaf& leaf = leaves[leaf_order[i]];
+    const uint16_t group = leaf.group;
+    const uint16_t node0 = leaf.node[0], node1 = leaf.node[1], node2 = leaf.node[2], node3 = leaf.node[3];
+    const uint32_t begin = front.leaves[group].begin;
+    // 1 for one that is new in this group, without a branch.
+    const auto is_new = [=](uint16_t node) { return (named_by[node] - begin) >> 31; };
+    const uint32_t at1 = end + is_new(node0);
+    const uint32_t at2 = at1 + is_new(node1);
+    const uint32_t at3 = at2 + is_new(node2);
+    const uint32_t behind = at3 + is_new(node3);
+    named_by[node0] = named_by[node1] = named_by[node2] = named_by[node3] = begin;
+    // Written in any case, and overwritten unless it is new.
+    node_order[end] = node0;
+    node_order[at1] = node1;
+    node_order[at2] = node2;
+    node_order[at3] = node3;
+    front.nodes[group].set_word(behind);
+    end = behind;
+  }
+  uint32_t begin = 0;
+#pragma GCC unroll 2
   for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
-    const uint32_t group = front.groups.live(i);
-    const uint16_t* const begin = end;
-    const Span span = front.leaves[group];
-    for (const uint32_t at : leaves.take(span.begin, span.count)) {
-      // All is loaded before anything is stored.
-      const std::array<uint16_t, 4>& node = forest.leaf[front.leaf_order[at]].node;
-      const uint16_t node0 = node[0], node1 = node[1], node2 = node[2], node3 = node[3];
-      // 1 for one that is new in this group, without a branch.
-      const auto is_new = [&](uint16_t which) { return ((last_group[which] ^ group) + 0xffffu) >> 16; };
-      const uint32_t added0 = is_new(node0), added1 = is_new(node1), added2 = is_new(node2),
-                     added3 = is_new(node3);
-      // Written in any case, and overwritten unless it is new.
-      const auto add = [&](uint16_t which, uint32_t added) {
-        *end = which;
-        end += added;
-        last_group[which] = group;
-      };
-      add(node0, added0);
-      add(node1, added1);
-      add(node2, added2);
-      add(node3, added3);
-    }
-    front.nodes[group] =
-        Span{static_cast<uint16_t>(begin - front.node_order.data()), static_cast<uint16_t>(end - begin)};
+    Span& nodes = front.nodes[front.groups.live(i)];
+    const uint32_t behind = nodes.word();
+    nodes.set_word(begin | (behind - begin) << 16);
+    begin = behind;
   }
 }
 
-/// Rebuilds the lists of all groups from Leaf::group. O(leaves + nodes + groups).
+/// Rebuilds the lists of all groups from Leaf::group and the numbers of leaves, which changes of the front
+/// and of the mesh keep up to date. O(leaves + nodes + groups).
 template <class Profile>
 void index_groups(const Forest<Profile>& forest, RotationFront<Profile>& front) {
   index_leaves(forest, front);
   index_nodes(forest, front);
+}
+
+/// The same where the numbers are not known.
+template <class Profile>
+void count_and_index_groups(const Forest<Profile>& forest, RotationFront<Profile>& front) {
+  for (const uint32_t i : bounded<Profile::kGroups>(front.groups.used(), [] {})) {
+    front.leaves[front.groups.live(i)].count = 0;
+  }
+  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
+    ++front.leaves[forest.leaf[i].group].count;
+  }
+  index_groups(forest, front);
 }
 
 /// One group for each tet at `level`, or for a leaf above it. False when there are more of them than groups.
@@ -151,14 +205,14 @@ template <class Profile>
     const uint16_t tet = ancestor_at(forest, forest.leaf[i].tet, level);
     forest.leaf[i].group = forest.leaf_of(first_leaf(forest, tet)).group;
   }
-  index_groups(forest, front);
+  count_and_index_groups(forest, front);
   return true;
 }
 
 /// Puts the children of a group's tet, which must not be a leaf, on the front in its place: the group keeps
 /// child 0, a new one, which is returned, takes child 1. kNone, and nothing changed, when all groups are in
-/// use. `leaves` is a BoundedTotal that has the group's leaves left. Until index_groups the lists of `group`
-/// are the old ones and those of the new one are empty.
+/// use. `leaves` is a BoundedTotal that has the group's leaves left. Until index_groups the lists are the old
+/// ones, but the numbers of leaves are those that they will have.
 template <class Profile, class Total>
 [[nodiscard]] uint16_t split_group(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_t group,
                                    Total& leaves) {
@@ -168,15 +222,21 @@ template <class Profile, class Total>
   front.tet[group] = forest.child(tet, 0);
   front.tet[added] = forest.child(tet, 1);
   front.partner[added] = kNone;
-  front.leaves[added] = Span{0, 0};
-  front.nodes[added] = Span{0, 0};
   const uint8_t level = forest.level_of(tet);
   const Span span = front.leaves[group];
+  const uint32_t difference = uint32_t{added} - group;
+  Leaf* const leaf_at = as_base(forest.leaf.data());
+  const uint16_t* const leaf_order = as_base(front.leaf_order.data());
+  uint32_t moved = 0;
 #pragma GCC unroll 4
   for (const uint32_t at : leaves.take(span.begin, span.count)) {
-    Leaf& leaf = forest.leaf[front.leaf_order[at]];
-    leaf.group = child_towards(leaf, level) == 1 ? added : group;
+    Leaf& leaf = leaf_at[leaf_order[at]];
+    const uint32_t towards = child_towards(leaf, level);
+    leaf.group = static_cast<uint16_t>(group + towards * difference);
+    moved += towards;
   }
+  front.leaves[group].count = static_cast<uint16_t>(span.count - moved);
+  front.leaves[added].count = static_cast<uint16_t>(moved);
   return added;
 }
 
@@ -188,6 +248,7 @@ void join_groups(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_
   for (const uint32_t at : leaves.take(span.begin, span.count)) {
     forest.leaf[front.leaf_order[at]].group = group;
   }
+  front.leaves[group].count = static_cast<uint16_t>(front.leaves[group].count + span.count);
   front.tet[group] = forest.parent_of(front.tet[group]);
   front.partner[group] = kNone;
   front.groups.release(gone);

@@ -54,22 +54,11 @@ struct Tethers {
     tether[at] = tether[count];
   }
 
-  /// A tick of all. `end_draw(tether)` says whether one whose node has been drawn may go: else it stays, and
-  /// holds the node where it is. `taken`: a node that the tool has, so that nothing else moves it.
-  template <class EndDraw>
-  void advance(uint16_t taken, EndDraw end_draw) {
-    uint32_t at = 0;
-    for ([[maybe_unused]] const uint32_t i : bounded<kTethers>(count, [] {})) {
-      Tether& now = tether[at];
-      const bool is_taken = now.node == taken;
-      if (!is_taken && now.ticks_left > 1) {
-        --now.ticks_left;
-        ++at;
-      } else if (is_taken || now.kind == TetherKind::kRelease || end_draw(now)) {
-        remove(at);
-      } else {
-        ++at;
-      }
+  /// A tick of all in which none ends: one in its last tick waits there.
+  void advance() {
+    for (const uint32_t i : bounded<kTethers>(count, [] {})) {
+      const uint32_t left = tether[i].ticks_left;
+      tether[i].ticks_left = static_cast<uint8_t>(left - (left > 1 ? 1u : 0u));
     }
   }
 };

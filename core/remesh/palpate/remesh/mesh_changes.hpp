@@ -21,7 +21,7 @@ template <class Profile, class Body>
 class MeshChanges {
  public:
   /// `pinned`: a node whose leaves go to their finest level and are never merged, or kNone.
-  MeshChanges(Forest<Profile>& forest, const RotationFront<Profile>& front, Tethers<Profile>& tethers,
+  MeshChanges(Forest<Profile>& forest, RotationFront<Profile>& front, Tethers<Profile>& tethers,
               Urgencies<Profile>& urgencies, const StretchRules& rules, uint16_t pinned, Body& body,
               RemeshCounters& counters)
       : forest_(forest),
@@ -36,7 +36,7 @@ class MeshChanges {
   /// Returns RemeshFlag bits. A tick of the tethers is in it.
   uint32_t run() {
     if (rules_.criterion == StretchCriterion::kFixed) return 0;
-    end_draws();
+    end_tethers();
     split_most_urgent();
     draw_calm();
     return flags_;
@@ -50,19 +50,21 @@ class MeshChanges {
   static constexpr uint32_t kSteps = kLooks + Profile::kMaxLevel;
   struct StepsTotal {};
   struct SplitsTotal {};
+  struct SplitTets {};
   /// Of a tick: patches that are looked at on the way to those that are ready, and those that are bisected.
   struct SplitBudget {
     decltype(bounded_total<kSteps>(StepsTotal{})) steps;
     decltype(bounded_total<Profile::kPatches>(SplitsTotal{})) patches;
-    uint32_t tets;
+    PatchTotals<Profile::kTetsSplit, SplitTets> tets;
   };
   struct LooksTotal {};
   struct MergesTotal {};
+  struct MergeTets {};
   /// What ends in a tick: tethers whose patch is looked at, and patches that are merged.
   struct MergeBudget {
     decltype(bounded_total<2 * Profile::kPatches>(LooksTotal{})) looks;
     decltype(bounded_total<Profile::kPatches>(MergesTotal{})) patches;
-    uint32_t tets;
+    PatchTotals<Profile::kTetsMerged, MergeTets> tets;
   };
 
   void flag(RemeshFlag which) { flags_ |= static_cast<uint32_t>(which); }
@@ -71,14 +73,14 @@ class MeshChanges {
     MostUrgent<Profile> wanted;
     waiting_ = find_most_urgent(
         forest_, urgencies_, [this](const Leaf& leaf) { return tethered(refinement_edge(leaf)); }, wanted);
-    SplitBudget left{bounded_total<kSteps>(StepsTotal{}), bounded_total<Profile::kPatches>(SplitsTotal{}),
-                     Profile::kTetsSplit};
+    SplitBudget left{
+        bounded_total<kSteps>(StepsTotal{}), bounded_total<Profile::kPatches>(SplitsTotal{}), {}};
     for (const uint32_t i : bounded<kLooks>(wanted.count(), [] {})) {
       if (left.patches.left() == 0) break;
-      const uint16_t tet = wanted.tet(i);
-      if (!forest_.tet[tet].is_leaf()) continue;  // split by an earlier patch
-      urgencies_.split_at = static_cast<uint16_t>(tet / 4 + 1);
-      if (!split_towards(tet, left)) break;
+      const uint16_t leaf = wanted.leaf(i);
+      if (urgencies_.of[leaf] < Urgency::kWanted) continue;  // split by an earlier patch
+      urgencies_.split_at = static_cast<uint16_t>(leaf / Urgency::kBlock + 1);
+      if (!split_towards(leaf, left)) break;
     }
     counters_.leaves_waiting = static_cast<uint16_t>(waiting_.all);
     if (waiting_.all > waiting_.blocked && flags_ == 0) flag(RemeshFlag::kPatchBudget);
@@ -89,35 +91,37 @@ class MeshChanges {
     return static_cast<uint32_t>(tethers_.holds_node[ends[0]]) | tethers_.holds_node[ends[1]];
   }
   [[nodiscard]] bool is_tethered(const EdgeEnds& ends) const { return tethered(ends) != 0; }
+  [[nodiscard]] uint16_t place_of(uint16_t leaf_tet) const { return forest_.tet[leaf_tet].link(); }
 
   /// Splits the patch of a leaf, or the coarser one in its way. False when nothing more can be split now.
-  bool split_towards(uint16_t tet, SplitBudget& left) {
+  bool split_towards(uint16_t leaf, SplitBudget& left) {
     Patch patch{};
-    const MeshStatus found = find_ready_patch(forest_, tet, patch, left.steps);
+    const MeshStatus found = find_ready_patch(forest_, forest_.leaf[leaf].tet, patch, left.steps);
     if (found == MeshStatus::kNotReady) return false;
     if (found != MeshStatus::kDone || !stays_within_levels(patch)) {
-      urgencies_.of[tet] = Urgency::kBarred;
+      urgencies_.of[leaf] = Urgency::kBarred;
       --waiting_.all;
       return true;
     }
     const EdgeEnds ends = refinement_edge(forest_.leaf_of(patch.tet[0]));
     if (is_tethered(ends)) {
-      urgencies_.of[tet] |= Urgency::kAsleep;
+      urgencies_.of[leaf] |= Urgency::kAsleep;
       ++waiting_.blocked;
       return true;
     }
-    if (patch.count > left.tets) return false;
+    if (patch.count > left.tets.left()) return false;
     if (tethers_.is_full()) return refuse(RemeshFlag::kTethers);
-    left.tets -= patch.count;
     bool is_split = false;
-    for ([[maybe_unused]] const uint32_t once : left.patches.take(0, 1)) is_split = split(patch, ends);
+    for ([[maybe_unused]] const uint32_t once : left.patches.take(0, 1)) {
+      is_split = split(patch, ends, left.tets);
+    }
     return is_split;
   }
 
-  bool split(const Patch& patch, const EdgeEnds& ends) {
-    switch (bisect(forest_, patch)) {
+  bool split(const Patch& patch, const EdgeEnds& ends, PatchTotals<Profile::kTetsSplit, SplitTets>& tets) {
+    switch (bisect(forest_, patch, tets)) {
       case MeshStatus::kDone:
-        after_split(patch, ends);
+        after_split(patch, ends, tets);
         return true;
       case MeshStatus::kNodesFull:
         return refuse(RemeshFlag::kNodes);
@@ -142,14 +146,16 @@ class MeshChanges {
     return false;
   }
 
-  void after_split(const Patch& patch, const EdgeEnds& ends) {
-    for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-      const uint8_t urgency = urgencies_.of[patch.tet[i]];
+  /// Of two children the first has their parent's place, and its urgency till now.
+  void after_split(const Patch& patch, const EdgeEnds& ends,
+                   PatchTotals<Profile::kTetsSplit, SplitTets>& tets) {
+    for (const uint32_t i : tets.noted.take(0, patch.count)) {
+      const uint16_t leaf = place_of(forest_.child(patch.tet[i], 0));
+      const uint8_t urgency = urgencies_.of[leaf];
       waiting_.all -= urgency >= Urgency::kWanted ? 1u : 0u;
       waiting_.blocked -= urgency > Urgency::kMost ? 1u : 0u;
-      urgencies_.of[patch.tet[i]] = Urgency::kNeutral;
-      urgencies_.of[forest_.child(patch.tet[i], 0)] = Urgency::kNeutral;
-      urgencies_.of[forest_.child(patch.tet[i], 1)] = Urgency::kNeutral;
+      urgencies_.of[leaf] = Urgency::kNeutral;
+      ++front_.leaves[forest_.leaf[leaf].group].count;
     }
     const uint16_t middle = middle_node(forest_.leaf_of(forest_.child(patch.tet[0], 0)));
     body_.added(middle, ends);
@@ -162,39 +168,70 @@ class MeshChanges {
     tethers_.add(Tether{middle, {ends[0], ends[1]}, tet, kTetherTicks, kind, 0});
   }
 
-  void end_draws() {
+  void end_tethers() {
     MergeBudget left{bounded_total<2 * Profile::kPatches>(LooksTotal{}),
-                     bounded_total<Profile::kPatches>(MergesTotal{}), Profile::kTetsMerged};
-    tethers_.advance(pinned_, [this, &left](Tether& tether) { return merge_at(tether, left); });
+                     bounded_total<Profile::kPatches>(MergesTotal{}),
+                     {}};
+    auto ends = bounded_total<kMostEnds>([] {});
+    uint32_t at = 0;
+    bool has_budget = true;
+    bool have_to_wait = false;
+    for ([[maybe_unused]] const uint32_t i : bounded<Profile::kTethers>(tethers_.count, [] {})) {
+      Tether& tether = tethers_.tether[at];
+      const bool is_taken = tether.node == pinned_;  // by the tool: nothing else moves it
+      const bool is_over = any_of(is_taken, tether.ticks_left <= 1);
+      tether.ticks_left = static_cast<uint8_t>(tether.ticks_left - (is_over ? 0u : 1u));
+      const bool is_merge = all_of(is_over, !is_taken, tether.kind == TetherKind::kDraw);
+      const bool has_to_wait = all_of(is_merge, !has_budget);
+      have_to_wait = any_of(have_to_wait, has_to_wait);
+      ++at;  // it holds the node where it is, or now lets go of it
+      if (!all_of(is_over, !has_to_wait, ends.left() != 0)) continue;
+      for ([[maybe_unused]] const uint32_t end : ends.take(0, 1)) {
+        const bool goes_on = is_merge && !merge_within(tether, left);
+        has_budget = all_of(left.patches.left() != 0, left.looks.left() != 0);
+        if (goes_on) continue;
+        --at;
+        tethers_.remove(at);
+      }
+    }
+    if (have_to_wait) flag(RemeshFlag::kPatchBudget);
+  }
+  /// More cannot end in a turn: releases of as many patches as are split, and of as many draws as fail;
+  /// draws that are looked at; and what the tool takes.
+  static constexpr uint32_t kMostEnds = 5 * Profile::kPatches + 1;
+
+  PALPATE_NOINLINE bool merge_within(Tether& tether, MergeBudget& left) {
+    bool is_merged = false;
+    for ([[maybe_unused]] const uint32_t look : left.looks.take(0, 1)) is_merged = merge_at(tether, left);
+    return is_merged;
   }
 
   /// Merges around a node that has been drawn. False, with the tether turned into a release, when the patch
   /// is no longer calm; false and as it was when the budget is used up.
   bool merge_at(Tether& tether, MergeBudget& left) {
-    if (left.patches.left() == 0 || left.looks.left() == 0) return refuse(RemeshFlag::kPatchBudget);
     Patch patch{};
-    bool is_calm = false;
-    for ([[maybe_unused]] const uint32_t look : left.looks.take(0, 1)) {
-      is_calm = find_patch_around(tether, patch) && may_merge(patch, Urgency::kNeutral) &&
-                !restores_above(rules_.split_above, patch, tether.end);
-    }
-    if (!is_calm) {
+    if (!find_patch_around(tether, patch) || !may_merge(patch, Urgency::kNeutral) ||
+        restores_above(rules_.split_above, patch, tether.end)) {
       tether.kind = TetherKind::kRelease;
       tether.ticks_left = kTetherTicks;
       return false;
     }
-    if (patch.count > left.tets) return refuse(RemeshFlag::kPatchBudget);
-    left.tets -= patch.count;
-    for ([[maybe_unused]] const uint32_t once : left.patches.take(0, 1)) merge_patch(patch, tether);
+    if (patch.count > left.tets.left()) return refuse(RemeshFlag::kPatchBudget);
+    for ([[maybe_unused]] const uint32_t once : left.patches.take(0, 1)) {
+      merge_patch(patch, tether, left.tets);
+    }
     return true;
   }
 
-  void merge_patch(const Patch& patch, const Tether& tether) {
-    for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-      urgencies_.of[patch.tet[i]] = Urgency::kNeutral;
-    }
+  void merge_patch(const Patch& patch, const Tether& tether,
+                   PatchTotals<Profile::kTetsMerged, MergeTets>& tets) {
     body_.before_removal(tether.node, tether.end);
-    merge(forest_, patch);
+    for (const uint32_t i : tets.noted.take(0, patch.count)) {
+      const uint16_t leaf = place_of(forest_.child(patch.tet[i], 0));
+      urgencies_.of[leaf] = Urgency::kNeutral;
+      --front_.leaves[forest_.leaf[leaf].group].count;
+    }
+    merge(forest_, patch, tets, [this](uint16_t gap, uint16_t from) { urgencies_.move(gap, from); });
     body_.removed(tether.end);
     counters_.merged += patch.count;
     changed_ = true;
@@ -212,13 +249,15 @@ class MeshChanges {
   /// such a merge waits until the rotation front has risen.
   [[nodiscard]] bool may_merge(const Patch& patch, uint8_t most_urgent) const {
     bool may = true;
+    const uint32_t end = refinement_end(type_of_level(forest_.level_of(patch.tet[0])));
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
-      for (const uint32_t which : bounded<2>(2, [] {})) {
-        const Leaf& leaf = forest_.leaf_of(forest_.child(patch.tet[i], which));
-        const uint8_t group_level = forest_.level_of(front_.tet[leaf.group]);
-        may = all_of(may, urgencies_.of[leaf.tet] <= most_urgent, group_level < leaf.level(),
-                     !touches(leaf, pinned_));
-      }
+      const uint16_t child0 = forest_.child(patch.tet[i], 0);
+      const uint16_t place0 = place_of(child0), place1 = place_of(Forest<Profile>::sibling(child0));
+      const Leaf& leaf0 = forest_.leaf[place0];
+      // Of the second child's nodes all but one are the first one's too, and so is a group above the two.
+      may = all_of(may, urgencies_.of[place0] <= most_urgent, urgencies_.of[place1] <= most_urgent,
+                   front_.tet[leaf0.group] != child0, !touches(leaf0, pinned_),
+                   forest_.leaf[place1].node[end - 1] != pinned_);
     }
     return may;
   }
@@ -240,9 +279,10 @@ class MeshChanges {
     for ([[maybe_unused]] const uint32_t i : bounded<kSlice>(count, [] {})) {
       if (urgencies_.merge_at >= forest_.leaf_count) urgencies_.merge_at = 0;
       if (looks.left() == 0) return;
-      const Leaf& leaf = forest_.leaf[urgencies_.merge_at];
+      const uint16_t at = urgencies_.merge_at;
+      const Leaf& leaf = forest_.leaf[at];
       ++urgencies_.merge_at;
-      if (urgencies_.of[leaf.tet] != Urgency::kCalm || leaf.level() == 0) continue;
+      if (urgencies_.of[at] != Urgency::kCalm || leaf.level() == 0) continue;
       for ([[maybe_unused]] const uint32_t look : looks.take(0, 1)) draw(leaf);
     }
   }
@@ -266,7 +306,7 @@ class MeshChanges {
   }
 
   Forest<Profile>& forest_;
-  const RotationFront<Profile>& front_;
+  RotationFront<Profile>& front_;
   Tethers<Profile>& tethers_;
   Urgencies<Profile>& urgencies_;
   const StretchRules& rules_;

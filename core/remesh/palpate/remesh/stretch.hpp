@@ -21,8 +21,7 @@ constexpr InverseSquare of_quarters(int quarters) {
   return quarters == 1 ? InverseSquare::max() : InverseSquare::ratio(1, quarters);
 }
 
-/// The places of the six edges' ends, and the edges by type.
-inline constexpr uint8_t kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+/// Of the edges by type, in the order 01, 02, 03, 12, 13, 23.
 inline constexpr InverseSquare kInverses[3][6] = {
     {of_quarters(4), of_quarters(8), of_quarters(12), of_quarters(4), of_quarters(8), of_quarters(4)},
     {of_quarters(4), of_quarters(8), of_quarters(3), of_quarters(4), of_quarters(3), of_quarters(3)},
@@ -42,6 +41,27 @@ constexpr uint32_t shifted_down(uint64_t x, uint32_t shift) {
 
 }  // namespace stretch_detail
 
+namespace stretch_detail {
+
+inline constexpr uint32_t kOne = 1u << StretchMeasure::kFractionBits;
+
+/// (l / l0)^2 with the fraction bits of StretchMeasure, 2^31 - 1 when it is more. h = 2^-size.
+PALPATE_ALWAYS_INLINE uint32_t elongation(Position x, Position y, Position z, uint32_t size,
+                                          InverseSquare inverse) {
+  const auto square = static_cast<uint64_t>((x * x + y * y + z * z).raw());
+  // (l / h)^2 as Q<6, 25>; then (l / l0)^2, with 54 fraction bits since `inverse` is a quarter.
+  const uint32_t relative = shifted_down(square, 29 - 2 * size);
+  const uint64_t ratio = uint64_t{relative} * static_cast<uint32_t>(inverse.raw());
+  return shifted_down(ratio, 54 - StretchMeasure::kFractionBits);
+}
+
+/// Less one; 0 when the edge is shorter than at rest.
+constexpr StretchMeasure above_one(uint32_t elongation) {
+  return StretchMeasure::from_raw(static_cast<int32_t>((elongation > kOne ? elongation : kOne) - kOne));
+}
+
+}  // namespace stretch_detail
+
 /// (l / l0)^2 - 1 of the edge between two nodes; 0 when it is shorter than at rest, 15 when it is longer than
 /// 4 l0. h = 2^-size.
 template <uint16_t Capacity>
@@ -50,13 +70,7 @@ StretchMeasure edge_stretch(const NodeState<Capacity>& node, uint16_t a, uint16_
   const Position x = node.position[a][0] - node.position[b][0];  // within +-8
   const Position y = node.position[a][1] - node.position[b][1];
   const Position z = node.position[a][2] - node.position[b][2];
-  const auto square = static_cast<uint64_t>((x * x + y * y + z * z).raw());
-  // (l / h)^2 as Q<6, 25>; then (l / l0)^2, with 54 fraction bits since `inverse` is a quarter.
-  const uint32_t relative = stretch_detail::shifted_down(square, 29 - 2 * size);
-  const uint64_t ratio = uint64_t{relative} * static_cast<uint32_t>(inverse.raw());
-  constexpr uint32_t kOne = 1u << StretchMeasure::kFractionBits;
-  const uint32_t elongation = stretch_detail::shifted_down(ratio, 54 - StretchMeasure::kFractionBits);
-  return StretchMeasure::from_raw(static_cast<int32_t>(elongation < kOne ? 0u : elongation - kOne));
+  return stretch_detail::above_one(stretch_detail::elongation(x, y, z, size, inverse));
 }
 
 /// Of the edge that a bisection halves, of a tet at this level.
@@ -71,20 +85,31 @@ StretchMeasure longest_edge_stretch(const Forest<Profile>& forest, const Leaf& l
   return refinement_edge_stretch(forest.node, refinement_edge(leaf), leaf.level());
 }
 
-/// The largest of all six edges.
+/// The largest of all six edges. Three of them make the others.
 template <class Profile>
 StretchMeasure largest_edge_stretch(const Forest<Profile>& forest, const Leaf& leaf) {
   const auto& inverses = stretch_detail::kInverses[static_cast<uint32_t>(type_of_level(leaf.level()))];
   const uint32_t size = size_of_level(leaf.level());
-  StretchMeasure largest = StretchMeasure::from_raw(0);
-#pragma GCC unroll 6
-  for (const uint32_t edge : bounded<6>(6, [] {})) {
-    const uint8_t* ends = stretch_detail::kEdges[edge];
-    const StretchMeasure stretch =
-        edge_stretch(forest.node, leaf.node[ends[0]], leaf.node[ends[1]], size, inverses[edge]);
-    largest = stretch > largest ? stretch : largest;
-  }
-  return largest;
+  uint32_t largest = 0;
+  const auto see = [&](Position x, Position y, Position z, uint32_t edge) {
+    const uint32_t elongation = stretch_detail::elongation(x, y, z, size, inverses[edge]);
+    largest = elongation > largest ? elongation : largest;
+  };
+  const auto& x0 = forest.node.position[leaf.node[0]];
+  const auto& x1 = forest.node.position[leaf.node[1]];
+  const auto& x2 = forest.node.position[leaf.node[2]];
+  const auto& x3 = forest.node.position[leaf.node[3]];
+  const Position ax = x1[0] - x0[0], ay = x1[1] - x0[1], az = x1[2] - x0[2];
+  const Position bx = x2[0] - x1[0], by = x2[1] - x1[1], bz = x2[2] - x1[2];
+  const Position cx = x3[0] - x2[0], cy = x3[1] - x2[1], cz = x3[2] - x2[2];
+  see(ax, ay, az, 0);
+  see(bx, by, bz, 3);
+  see(ax + bx, ay + by, az + bz, 1);
+  see(cx, cy, cz, 5);
+  const Position dx = bx + cx, dy = by + cy, dz = bz + cz;
+  see(dx, dy, dz, 4);
+  see(ax + dx, ay + dy, az + dz, 2);
+  return stretch_detail::above_one(largest);
 }
 
 /// F^T F of a leaf, entries within +-48.

@@ -53,7 +53,7 @@ template <class Profile>
 void add_urgencies(const State<Profile>& state, StateHash& hash) {
   const Urgencies<Profile>& urgencies = state.urgencies;
   for (const uint32_t i : bounded<Profile::kLeaves>(state.forest.leaf_count, [] {})) {
-    hash.add(uint32_t{urgencies.of[state.forest.leaf[i].tet]});
+    hash.add(uint32_t{urgencies.of[i]});
   }
   hash.add(urgencies.sweep_at | uint32_t{urgencies.split_at} << 16);
   hash.add(uint32_t{urgencies.merge_at});

@@ -87,7 +87,8 @@ struct GroupRotations {
     bool may = true;
     for (const uint32_t which : bounded<2>(2, [] {})) {
       const uint16_t child = forest.child(tet, which);
-      may = may && forest.tet[child].is_leaf() && urgencies.of[child] == Urgencies<Profile>::kCalm;
+      may = may && forest.tet[child].is_leaf() &&
+            urgencies.of[forest.tet[child].link()] == Urgencies<Profile>::kCalm;
     }
     return may;
   }
@@ -153,12 +154,6 @@ void change_mesh(State<Profile>& state) {
                                                       state.driven.node, nodes, state.remesh);
   state.waiting = (state.waiting & kFrontFlags) | changes.run();
   if (changes.changed()) index_groups(state.forest, state.front);
-}
-
-/// Of the mesh, in the turn of others: nothing is merged.
-template <class Profile>
-void advance_tethers(State<Profile>& state) {
-  state.tethers.advance(state.driven.node, [](const Tether&) { return false; });
 }
 
 /// What the next turn of the mesh goes by.

@@ -67,7 +67,7 @@ PALPATE_NOINLINE void remesh(State<Profile>& state) {
   if constexpr (kSlot == Slot::kMesh) {
     change_mesh(state);
   } else {
-    advance_tethers(state);
+    state.tethers.advance();
     if constexpr (kSlot == Slot::kFront) {
       change_front(state);
       judge_mesh(state);
