@@ -16,7 +16,7 @@
   keyword template void tick_stages::forces<Observe::kYes>(State<Profile>&);                           \
   keyword template void tick_stages::forces<Observe::kNo>(State<Profile>&);                            \
   keyword template void tick_stages::aim(State<Profile>&, const TickInput&);                           \
-  keyword template void tick_stages::integrate(State<Profile>&, uint32_t);                             \
+  keyword template void tick_stages::integrate(State<Profile>&, const TickInput&, uint32_t);           \
   keyword template void tick_stages::reaction(State<Profile>&, const TickInput&, const ClampCounters&, \
                                               TickOutput&);                                            \
   keyword template uint64_t stage_hash(const State<Profile>&, const TickOutput&, CoreStage);           \

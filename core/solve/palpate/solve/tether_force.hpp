@@ -136,6 +136,29 @@ class TetherForces {
   uint16_t driven_;
 };
 
+/// Once a tick, before its substeps: the driven node and held ends of tethers have the velocity at which they
+/// will be moved in it, since a tether asks how fast its ends are before they are moved.
+template <class Profile>
+void aim_ends(Forest<Profile>& forest, const Dynamics& dynamics, const HoldMotions& motions,
+              const DrivenNode& driven, const SolveState<Profile>& solve, const Tethers<Profile>& tethers) {
+  namespace detail = integrate_detail;
+  detail::Clamped clamped{0, 0};  // integrate_substep counts it
+  const auto aim = [&](uint16_t node, const Vector3<Position>& target) {
+    const auto next = detail::led_towards<Profile::kSubsteps == 1>(target, forest.node.position[node],
+                                                                   dynamics.substeps, clamped);
+    Vector3<Velocity>& v = forest.node.velocity[node];
+    v[0] = next.v0;
+    v[1] = next.v1;
+    v[2] = next.v2;
+  };
+  for (const uint32_t i : bounded<2 * Profile::kTethers>(2u * tethers.count, [] {})) {
+    const uint16_t end = tethers.tether[i / 2].end[i & 1u];
+    const NodeControl control = solve.control[end];
+    if (control != NodeControl::kFree) aim(end, held_target(forest, motions, control, end));
+  }
+  if (driven.node != kNone) aim(driven.node, driven.target);
+}
+
 /// All tethers, one after the other, for the substep that `remaining` counts (1: the last of the tick).
 template <class Profile>
 PALPATE_NOINLINE void add_tether_forces(Forest<Profile>& forest, const SolveState<Profile>& solve,
