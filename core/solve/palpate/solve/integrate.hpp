@@ -56,8 +56,23 @@ PALPATE_ALWAYS_INLINE int32_t as_factor(int32_t value) {
   return value;
 }
 
-/// v + f impulse - alpha_M dt v, within the range of Velocity: the upper half of what is beyond becomes the
-/// limit's, so its error is 2^-16 of it.
+/// sum 2^-Shift, cut off, within a word: the upper half of what is beyond becomes the limit's, so its error
+/// is 2^(Shift - 33) of it. No branch.
+template <int Shift>
+PALPATE_ALWAYS_INLINE int32_t shifted_within(int64_t sum, uint32_t& clamped) {
+  const auto high = static_cast<int32_t>(sum >> 32);
+  const int32_t within = within_bits<Shift>(high);
+  clamped |= static_cast<uint32_t>(high ^ within);
+  const uint32_t low = static_cast<uint32_t>(sum) >> Shift;
+  return static_cast<int32_t>((static_cast<uint32_t>(within) << (32 - Shift)) | low);
+}
+template <int Shift>
+PALPATE_ALWAYS_INLINE int32_t shifted_within(int64_t sum) {
+  uint32_t uncounted = 0;
+  return shifted_within<Shift>(sum, uncounted);
+}
+
+/// v + f impulse - alpha_M dt v, within the range of Velocity.
 PALPATE_ALWAYS_INLINE Velocity next_velocity(Velocity v, Force f, Impulse impulse, Q<-5, 36> mass_damping,
                                              uint32_t& clamped) {
   using Drag = Q<-9, 40>;
@@ -69,11 +84,7 @@ PALPATE_ALWAYS_INLINE Velocity next_velocity(Velocity v, Force f, Impulse impuls
   int64_t sum = int64_t{f.raw()} * impulse.raw();
   sum += int64_t{v.raw()} * as_factor(1 << kShift);
   sum += int64_t{drag.raw()} * as_factor(-(1 << kOfDrag));
-  const auto high = static_cast<int32_t>(sum >> 32);
-  const int32_t within = within_bits<kShift>(high);
-  clamped |= static_cast<uint32_t>(high ^ within);
-  const uint32_t low = static_cast<uint32_t>(sum) >> kShift;
-  return Velocity::from_raw(static_cast<int32_t>((static_cast<uint32_t>(within) << (32 - kShift)) | low));
+  return Velocity::from_raw(shifted_within<kShift>(sum, clamped));
 }
 
 /// x + v
