@@ -173,8 +173,8 @@ class Flight {
     by_tethers_ += angular_kick(*state_) - elastic;
     ASSERT_NO_FATAL_FAILURE(rounding_.add_substep(*state_));
     const HoldMotions still = {RigidMotion::identity(), RigidMotion::identity()};
-    integrate_substep(state_->forest, state_->model.dynamics, still, state_->driven, 1, state_->solve,
-                      state_->clamps);
+    integrate_first(state_->forest, state_->model.dynamics, still, state_->driven, state_->solve,
+                    state_->clamps);
     ++state_->tick;
   }
 

@@ -115,7 +115,11 @@ void step(Moving& m, const Tether& tether, uint32_t remaining, const DrivenNode&
   (void)m.body.evaluate<Observe::kNo>();
   TetherForces<MovingProfile>(m.body.forest(), *m.solve, driven.node)
       .add(tether, (tether.ticks_left - 1u) * substeps + remaining);
-  integrate_substep(m.body.forest(), m.model.dynamics, still, driven, remaining, *m.solve, clamps);
+  if (remaining == substeps) {
+    integrate_first(m.body.forest(), m.model.dynamics, still, driven, *m.solve, clamps);
+  } else {
+    integrate_next(m.body.forest(), m.model.dynamics, driven.node, *m.solve, clamps);
+  }
 }
 
 Vector3d offset(Moving& m, const Split& split) {

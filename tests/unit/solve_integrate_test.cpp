@@ -31,16 +31,18 @@ class Integrate : public testing::TestWithParam<int> {
 
   void run_tick(const HoldMotions& motions, const DrivenNode& driven) {
     const auto forces = [&] { push(state_->forest, random_, 0.1); };
-    advance<SmallProfile::kSubsteps>(state_->model.dynamics, forces, forces,
-                                     [&](uint32_t remaining) { integrate(motions, driven, remaining); });
+    advance<SmallProfile::kSubsteps>(
+        state_->model.dynamics, forces, forces, [&](uint32_t) { set_out(motions, driven); },
+        [&](uint32_t) {
+          integrate_next(state_->forest, state_->model.dynamics, driven.node, state_->solve, state_->clamps);
+        });
   }
 
   /// A substep of free nodes.
-  void integrate() { integrate(kStill, DrivenNode{kNone, zero_vector<Position>()}, 1); }
+  void integrate() { set_out(kStill, DrivenNode{kNone, zero_vector<Position>()}); }
 
-  void integrate(const HoldMotions& motions, const DrivenNode& driven, uint32_t remaining) {
-    integrate_substep(state_->forest, state_->model.dynamics, motions, driven, remaining, state_->solve,
-                      state_->clamps);
+  void set_out(const HoldMotions& motions, const DrivenNode& driven) {
+    integrate_first(state_->forest, state_->model.dynamics, motions, driven, state_->solve, state_->clamps);
   }
 
   [[nodiscard]] uint16_t free_node() const {

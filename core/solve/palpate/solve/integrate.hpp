@@ -234,6 +234,11 @@ PALPATE_ALWAYS_INLINE void put(const Next& next, uint16_t node, Q<0, 31> stiffne
   force_x[2] = force_position(next.x2, next.v2, stiffness_damping);
 }
 
+inline void count(const Clamped& clamped, ClampCounters& counters) {
+  counters.speed += clamped.speed != 0 ? 1u : 0u;
+  counters.position += clamped.position != 0 ? 1u : 0u;
+}
+
 /// What the driven node has while the loop over nodes is to leave it where it is.
 struct Apart {
   Impulse impulse;
@@ -257,15 +262,15 @@ PALPATE_ALWAYS_INLINE void take_back(const Apart& apart, uint16_t node, SolveSta
 
 }  // namespace integrate_detail
 
-/// Moves all live nodes by one substep, of which `remaining` are left in the tick, this one included. Held
-/// nodes and the driven one make the first of so many steps to where they must be.
+/// Moves all live nodes by the first substep of a tick: held nodes and the driven one make the first of equal
+/// steps to where they must be at its end.
 template <class Profile>
-PALPATE_ALWAYS_INLINE void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics,
-                                             const HoldMotions& motions, const DrivenNode& driven,
-                                             uint32_t remaining, SolveState<Profile>& solve,
-                                             ClampCounters& counters) {
+PALPATE_ALWAYS_INLINE void integrate_first(Forest<Profile>& forest, const Dynamics& dynamics,
+                                           const HoldMotions& motions, const DrivenNode& driven,
+                                           SolveState<Profile>& solve, ClampCounters& counters) {
   namespace detail = integrate_detail;
   constexpr bool kIsOnly = Profile::kSubsteps == 1;
+  const uint32_t steps = dynamics.substeps;
   const auto& state = forest.node;
   const auto mass_damping = dynamics.mass_damping;
   const auto stiffness_damping = dynamics.stiffness_damping;
@@ -283,32 +288,68 @@ PALPATE_ALWAYS_INLINE void integrate_substep(Forest<Profile>& forest, const Dyna
                                  solve.impulse[node], mass_damping, clamped);
     } else {
       next = detail::led_towards<kIsOnly>(held_target(forest, motions, control, node), state.position[node],
-                                          remaining, clamped);
+                                          steps, clamped);
     }
     detail::put(next, node, stiffness_damping, forest, solve);
   }
   if (is_driving) {
     detail::take_back(apart, driven.node, solve);
     const auto next =
-        detail::led_towards<kIsOnly>(driven.target, state.position[driven.node], remaining, clamped);
+        detail::led_towards<kIsOnly>(driven.target, state.position[driven.node], steps, clamped);
     detail::put(next, driven.node, stiffness_damping, forest, solve);
   }
-  counters.speed += clamped.speed != 0 ? 1u : 0u;
-  counters.position += clamped.position != 0 ? 1u : 0u;
+  detail::count(clamped, counters);
+}
+
+/// The same by one that is not the first: nothing accelerates those that have set out, so that one formula
+/// does for all.
+template <class Profile>
+PALPATE_ALWAYS_INLINE void integrate_next(Forest<Profile>& forest, const Dynamics& dynamics, uint16_t driven,
+                                          SolveState<Profile>& solve, ClampCounters& counters) {
+  namespace detail = integrate_detail;
+  const auto& state = forest.node;
+  const auto mass_damping = dynamics.mass_damping;
+  const auto stiffness_damping = dynamics.stiffness_damping;
+  detail::Clamped clamped{0, 0};
+  for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
+    const uint16_t node = forest.nodes.live(i);
+    const int32_t if_free = detail::mask_if_free(solve.control[node], node, driven);
+    const auto impulse = Impulse::from_raw(solve.impulse[node].raw() & if_free);
+    const auto damping = Q<-5, 36>::from_raw(mass_damping.raw() & if_free);
+    const auto next = detail::accelerated(state.position[node], state.velocity[node], state.force[node],
+                                          impulse, damping, clamped);
+    detail::put(next, node, stiffness_damping, forest, solve);
+  }
+  detail::count(clamped, counters);
 }
 
 /// All substeps of a tick. `forces()` must fill the nodes' forces at SolveState::force_position, as
-/// `last_forces()`, which may also look at what changes only once a tick; `integrate(remaining)` runs one
-/// substep, 1 the last. They are the caller's so that each can be a stage of its own.
-template <uint32_t MostSubsteps, class Forces, class LastForces, class Integrate>
+/// `last_forces()`, which may also look at what changes only once a tick; `integrate_first(remaining)` and
+/// `integrate_next(remaining)` run one substep, 1 the last. They are the caller's so that each can be a stage
+/// of its own.
+template <uint32_t MostSubsteps, class Forces, class LastForces, class First, class Next>
 PALPATE_ALWAYS_INLINE void advance(const Dynamics& dynamics, Forces&& forces, LastForces&& last_forces,
-                                   Integrate&& integrate) {
-  for (const uint32_t substep : bounded<MostSubsteps - 1>(dynamics.substeps - 1u, [] {})) {
-    forces();
-    integrate(dynamics.substeps - substep);
+                                   First&& integrate_first, Next&& integrate_next) {
+  if constexpr (MostSubsteps == 1) {
+    last_forces();
+    integrate_first(1);
+  } else {
+    const uint32_t substeps = dynamics.substeps;
+    auto first = bounded_total<1>([] {});
+    const auto integrate = [&](uint32_t remaining) {
+      for ([[maybe_unused]] const uint32_t i : first.take(0, remaining == substeps ? 1 : 0)) {
+        integrate_first(remaining);
+        return;
+      }
+      integrate_next(remaining);
+    };
+    for (const uint32_t substep : bounded<MostSubsteps - 1>(substeps - 1, [] {})) {
+      forces();
+      integrate(substeps - substep);
+    }
+    last_forces();
+    integrate(1);
   }
-  last_forces();
-  integrate(1);
 }
 
 }  // namespace palpate

@@ -160,7 +160,7 @@ template <class Profile>
 void aim_ends(Forest<Profile>& forest, const Dynamics& dynamics, const HoldMotions& motions,
               const DrivenNode& driven, const SolveState<Profile>& solve, const Tethers<Profile>& tethers) {
   namespace detail = integrate_detail;
-  detail::Clamped clamped{0, 0};  // integrate_substep counts it
+  detail::Clamped clamped{0, 0};  // integrate_first counts it
   const auto aim = [&](uint16_t node, const Vector3<Position>& target) {
     const auto next = detail::led_towards<Profile::kSubsteps == 1>(target, forest.node.position[node],
                                                                    dynamics.substeps, clamped);

@@ -8,7 +8,7 @@
 //   forces     corotated forces of all leaves; the last evaluation               } once a
 //              also sees what the next rotations need                            } substep
 //   integrate  the contact's force and tethers, then one step of symplectic Euler }
-//              or, of held and driven nodes, to where they must be in the end     }
+//              or, of held and driven nodes, towards where they must be in the end }
 //   reaction   what the tissue does to the tool: the force on the driven node in the last substep, or the
 //              contact's after its passivity controller
 //
@@ -80,14 +80,20 @@ PALPATE_NOINLINE void aim(State<Profile>& state, const TickInput& input) {
   aim_ends(state.forest, state.model.dynamics, input.hold_motion, state.driven, state.solve, state.tethers);
 }
 
-template <class Profile>
+/// In the first substep of a tick held nodes and the driven one set out.
+enum class Substep { kFirst, kNext };
+
+template <Substep Which, class Profile>
 PALPATE_NOINLINE void integrate(State<Profile>& state, const TickInput& input, uint32_t remaining) {
   const Dynamics& dynamics = state.model.dynamics;
   add_load(state.forest, state.contact.load, state.contact.force);
   add_tether_forces(state.forest, state.solve, state.tethers, dynamics.substeps, remaining,
                     state.driven.node);
-  integrate_substep(state.forest, dynamics, input.hold_motion, state.driven, remaining, state.solve,
-                    state.clamps);
+  if constexpr (Which == Substep::kFirst) {
+    integrate_first(state.forest, dynamics, input.hold_motion, state.driven, state.solve, state.clamps);
+  } else {
+    integrate_next(state.forest, dynamics, state.driven.node, state.solve, state.clamps);
+  }
 }
 
 /// The flag of a tick for a reason why the fronts had to wait.
@@ -141,7 +147,12 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
       [&] { stage(CoreStage::kForces, [&] { tick_stages::forces<Observe::kNo>(state); }); },
       [&] { stage(CoreStage::kForces, [&] { tick_stages::forces<Observe::kYes>(state); }); },
       [&](uint32_t remaining) {
-        stage(CoreStage::kIntegrate, [&] { tick_stages::integrate(state, input, remaining); });
+        stage(CoreStage::kIntegrate,
+              [&] { tick_stages::integrate<tick_stages::Substep::kFirst>(state, input, remaining); });
+      },
+      [&](uint32_t remaining) {
+        stage(CoreStage::kIntegrate,
+              [&] { tick_stages::integrate<tick_stages::Substep::kNext>(state, input, remaining); });
       });
   stage(CoreStage::kReaction, [&] { tick_stages::reaction(state, input, before, output); });
   ++state.tick;
