@@ -172,8 +172,9 @@ class Flight {
     by_elasticity_ += elastic;
     by_tethers_ += angular_kick(*state_) - elastic;
     ASSERT_NO_FATAL_FAILURE(rounding_.add_substep(*state_));
-    integrate_substep(state_->forest, state_->model.dynamics, state_->driven.node, state_->solve,
-                      state_->clamps);
+    const HoldMotions still = {RigidMotion::identity(), RigidMotion::identity()};
+    integrate_first(state_->forest, state_->model.dynamics, still, state_->driven, state_->solve,
+                    state_->clamps);
     ++state_->tick;
   }
 

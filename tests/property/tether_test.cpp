@@ -108,12 +108,18 @@ void step(Moving& m, const Tether& tether, uint32_t remaining, const DrivenNode&
   ClampCounters clamps{0, 0, 0};
   const uint32_t substeps = m.model.dynamics.substeps;
   if (remaining == substeps) {
-    aim_moved_nodes(m.body.forest(), m.model.dynamics, still, driven, *m.solve, clamps);
+    Tethers<MovingProfile> tethers{};
+    tethers.add(tether);
+    aim_ends(m.body.forest(), m.model.dynamics, still, driven, *m.solve, tethers);
   }
   (void)m.body.evaluate<Observe::kNo>();
   TetherForces<MovingProfile>(m.body.forest(), *m.solve, driven.node)
       .add(tether, (tether.ticks_left - 1u) * substeps + remaining);
-  integrate_substep(m.body.forest(), m.model.dynamics, driven.node, *m.solve, clamps);
+  if (remaining == substeps) {
+    integrate_first(m.body.forest(), m.model.dynamics, still, driven, *m.solve, clamps);
+  } else {
+    integrate_next(m.body.forest(), m.model.dynamics, driven.node, *m.solve, clamps);
+  }
 }
 
 Vector3d offset(Moving& m, const Split& split) {

@@ -12,6 +12,8 @@ namespace {
 using SmallProfile = WithFullCorotation<Small>;
 using Eigen::Vector3d;
 
+const HoldMotions kStill = {RigidMotion::identity(), RigidMotion::identity()};
+
 /// Random elastic-looking forces on every node.
 void push(Forest<SmallProfile>& forest, Random& random, double strength) {
   for (uint32_t i = 0; i < forest.nodes.used(); ++i) {
@@ -29,13 +31,18 @@ class Integrate : public testing::TestWithParam<int> {
 
   void run_tick(const HoldMotions& motions, const DrivenNode& driven) {
     const auto forces = [&] { push(state_->forest, random_, 0.1); };
-    aim_moved_nodes(state_->forest, state_->model.dynamics, motions, driven, state_->solve, state_->clamps);
-    advance<SmallProfile::kSubsteps>(state_->model.dynamics, forces, forces,
-                                     [&](uint32_t) { integrate(driven.node); });
+    advance<SmallProfile::kSubsteps>(
+        state_->model.dynamics, forces, forces, [&](uint32_t) { set_out(motions, driven); },
+        [&](uint32_t) {
+          integrate_next(state_->forest, state_->model.dynamics, driven.node, state_->solve, state_->clamps);
+        });
   }
 
-  void integrate(uint16_t driven) {
-    integrate_substep(state_->forest, state_->model.dynamics, driven, state_->solve, state_->clamps);
+  /// A substep of free nodes.
+  void integrate() { set_out(kStill, DrivenNode{kNone, zero_vector<Position>()}); }
+
+  void set_out(const HoldMotions& motions, const DrivenNode& driven) {
+    integrate_first(state_->forest, state_->model.dynamics, motions, driven, state_->solve, state_->clamps);
   }
 
   [[nodiscard]] uint16_t free_node() const {
@@ -51,8 +58,7 @@ class Integrate : public testing::TestWithParam<int> {
 };
 
 TEST_P(Integrate, HeldNodesNeverMove) {
-  const HoldMotions still = {RigidMotion::identity(), RigidMotion::identity()};
-  for (int i = 0; i < 50; ++i) run_tick(still, DrivenNode{kNone, zero_vector<Position>()});
+  for (int i = 0; i < 50; ++i) run_tick(kStill, DrivenNode{kNone, zero_vector<Position>()});
   uint32_t held = 0;
   uint32_t moved = 0;
   for (uint32_t i = 0; i < state_->forest.nodes.used(); ++i) {
@@ -93,12 +99,11 @@ TEST_P(Integrate, MovedHoldsArriveExactly) {
 
 /// Also a held node, if it is the one that is driven; on the way it goes in equal steps.
 TEST_P(Integrate, DrivenNodeArrivesExactly) {
-  const HoldMotions still = {RigidMotion::identity(), RigidMotion::identity()};
   for (const uint16_t node : {free_node(), state_->forest.leaf[0].node[0]}) {
     for (int i = 0; i < 20; ++i) {
       const Vector3<Position> from = state_->forest.node.position[node];
       const Vector3<Position> target = from + fixed_vector<Position>(0.01 * random_.vector());
-      run_tick(still, DrivenNode{node, target});
+      run_tick(kStill, DrivenNode{node, target});
       ASSERT_EQ(state_->forest.node.position[node], target);
       const Vector3d step = doubles(target) - doubles(from);
       const Vector3d v = doubles(state_->forest.node.velocity[node]) * GetParam();
@@ -116,7 +121,7 @@ TEST_P(Integrate, FreeNodesFollowTheFormula) {
     const Vector3d x = doubles(state_->forest.node.position[node]);
     const Vector3d v = doubles(state_->forest.node.velocity[node]);
     const Vector3d f = doubles(state_->forest.node.force[node]);
-    integrate(kNone);
+    integrate();
     const Vector3d next_v = v + f * sim::to_double(state_->solve.impulse[node]) -
                             sim::to_double(state_->model.dynamics.mass_damping) * v;
     const Vector3d got_v = doubles(state_->forest.node.velocity[node]);
@@ -135,11 +140,11 @@ TEST_P(Integrate, ClampsSpeedAndPositionAndCountsThem) {
   push(state_->forest, random_, 0.0);
   state_->forest.node.force[node][0] = sim::to_fixed<Force>(60.0);
   state_->solve.impulse[node] = sim::to_fixed<Impulse>(7.9);
-  integrate(kNone);
+  integrate();
   EXPECT_EQ(state_->clamps.speed, 1u);
   EXPECT_GE(state_->forest.node.velocity[node][0], Velocity::from_raw(0x7fff8000));
   state_->forest.node.position[node][0] = kPositionLimit - Position::from_raw(1);
-  integrate(kNone);
+  integrate();
   EXPECT_EQ(state_->clamps.position, 1u);
   EXPECT_EQ(state_->forest.node.position[node][0], kPositionLimit);
   EXPECT_LE(state_->solve.force_position[node][0], sim::to_fixed<Position>(4.0));
@@ -147,14 +152,13 @@ TEST_P(Integrate, ClampsSpeedAndPositionAndCountsThem) {
 
 /// A driven node whose target is too far for one tick goes there as fast as it can, and arrives later.
 TEST_P(Integrate, ADrivenNodeTooFarAwayIsFlaggedAndArrivesLater) {
-  const HoldMotions still = {RigidMotion::identity(), RigidMotion::identity()};
   const uint16_t node = free_node();
   const Vector3<Position> target =
       state_->forest.node.position[node] + fixed_vector<Position>(Vector3d(0.6, -0.3, 0.1));
-  run_tick(still, DrivenNode{node, target});
+  run_tick(kStill, DrivenNode{node, target});
   EXPECT_GT(state_->clamps.speed, 0u);
   EXPECT_FALSE(state_->forest.node.position[node] == target);
-  for (int i = 0; i < 30; ++i) run_tick(still, DrivenNode{node, target});
+  for (int i = 0; i < 30; ++i) run_tick(kStill, DrivenNode{node, target});
   EXPECT_TRUE(state_->forest.node.position[node] == target);
 }
 

@@ -1,7 +1,8 @@
 // Symplectic Euler with lumped masses, one substep:
 //   v += dt a - alpha_M dt v,  x += dt v
 // and forces are evaluated at x + beta_K v, which is stiffness damping without a matrix. Held and grasped
-// nodes go in a straight line to where they must be at the end of the tick and arrive exactly.
+// nodes go in a straight line to where they must be at the end of the tick and arrive exactly: in each
+// substep they make the first of as many equal steps as are left.
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
@@ -55,8 +56,23 @@ PALPATE_ALWAYS_INLINE int32_t as_factor(int32_t value) {
   return value;
 }
 
-/// v + f impulse - alpha_M dt v, within the range of Velocity: the upper half of what is beyond becomes the
-/// limit's, so its error is 2^-16 of it.
+/// sum 2^-Shift, cut off, within a word: the upper half of what is beyond becomes the limit's, so its error
+/// is 2^(Shift - 33) of it. No branch.
+template <int Shift>
+PALPATE_ALWAYS_INLINE int32_t shifted_within(int64_t sum, uint32_t& clamped) {
+  const auto high = static_cast<int32_t>(sum >> 32);
+  const int32_t within = within_bits<Shift>(high);
+  clamped |= static_cast<uint32_t>(high ^ within);
+  const uint32_t low = static_cast<uint32_t>(sum) >> Shift;
+  return static_cast<int32_t>((static_cast<uint32_t>(within) << (32 - Shift)) | low);
+}
+template <int Shift>
+PALPATE_ALWAYS_INLINE int32_t shifted_within(int64_t sum) {
+  uint32_t uncounted = 0;
+  return shifted_within<Shift>(sum, uncounted);
+}
+
+/// v + f impulse - alpha_M dt v, within the range of Velocity.
 PALPATE_ALWAYS_INLINE Velocity next_velocity(Velocity v, Force f, Impulse impulse, Q<-5, 36> mass_damping,
                                              uint32_t& clamped) {
   using Drag = Q<-9, 40>;
@@ -68,11 +84,7 @@ PALPATE_ALWAYS_INLINE Velocity next_velocity(Velocity v, Force f, Impulse impuls
   int64_t sum = int64_t{f.raw()} * impulse.raw();
   sum += int64_t{v.raw()} * as_factor(1 << kShift);
   sum += int64_t{drag.raw()} * as_factor(-(1 << kOfDrag));
-  const auto high = static_cast<int32_t>(sum >> 32);
-  const int32_t within = within_bits<kShift>(high);
-  clamped |= static_cast<uint32_t>(high ^ within);
-  const uint32_t low = static_cast<uint32_t>(sum) >> kShift;
-  return Velocity::from_raw(static_cast<int32_t>((static_cast<uint32_t>(within) << (32 - kShift)) | low));
+  return Velocity::from_raw(shifted_within<kShift>(sum, clamped));
 }
 
 /// x + v
@@ -104,33 +116,68 @@ inline constexpr std::array<Q<0, 31>, kMaxSubsteps + 1> kFractions = {
     Q<0, 31>::ratio(1, 3), Q<0, 31>::ratio(1, 4), Q<0, 31>::ratio(1, 5),
     Q<0, 31>::ratio(1, 6), Q<0, 31>::ratio(1, 7), Q<0, 31>::ratio(1, 8)};
 
-/// Sets out from x to the target: `steps` steps, each of whole LSBs, so what rounding would leave in the end
-/// is taken off x now. A target that is too far is not reached.
-PALPATE_ALWAYS_INLINE void aim(Vector3<Position>& x, Vector3<Velocity>& v, const Vector3<Position>& target,
-                               uint32_t steps, uint32_t& clamped) {
+/// Of a node after a substep. Scalars, as nothing may point into the frame of the loop over nodes.
+struct Next {
+  Position x0, x1, x2;
+  Velocity v0, v1, v2;
+};
+
+/// Not 0 where something was.
+struct Clamped {
+  uint32_t speed, position;
+};
+
+PALPATE_ALWAYS_INLINE Next accelerated(const Vector3<Position>& x, const Vector3<Velocity>& v,
+                                       const Vector3<Force>& f, Impulse impulse, Q<-5, 36> mass_damping,
+                                       Clamped& clamped) {
+  const auto next_v = [&](Eigen::Index axis) {
+    return next_velocity(v[axis], f[axis], impulse, mass_damping, clamped.speed);
+  };
+  const Velocity v0 = next_v(0), v1 = next_v(1), v2 = next_v(2);
+  return Next{moved(x[0], v0, clamped.position),
+              moved(x[1], v1, clamped.position),
+              moved(x[2], v2, clamped.position),
+              v0,
+              v1,
+              v2};
+}
+
+/// One axis of a node that something moves: how far in a substep, and where to.
+struct Step {
+  int32_t x;
+  int32_t by;
+
+  [[nodiscard]] Position position() const { return Position::from_raw(x); }
+  [[nodiscard]] Velocity velocity() const {
+    constexpr int kShift = Velocity::kFractionBits - Position::kFractionBits;
+    return Velocity::from_raw(static_cast<int32_t>(static_cast<uint32_t>(by) << kShift));
+  }
+};
+
+/// The first of `steps` equal steps to the target, each of whole LSBs: what rounding would leave in the end
+/// is taken off at once, so the substeps after this one find the same step. A target that is too far is not
+/// reached. IsOnly: there are no other steps.
+template <bool IsOnly>
+PALPATE_ALWAYS_INLINE Step step_towards(Position target, Position x, uint32_t steps, uint32_t& clamped) {
   constexpr int kShift = Velocity::kFractionBits - Position::kFractionBits;
-  struct Start {
-    int32_t x, v;
-  };
-  const Q<0, 31> fraction = kFractions[steps];
-  const auto start = [&](Eigen::Index axis) {
-    const int32_t from = x[axis].raw();
-    const auto twice = Q<3, 28>::from_raw(2 * (target[axis].raw() - from));
-    const int32_t step = multiply_high<Position>(twice, fraction).raw();
-    const int32_t within = within_bits<32 - kShift>(step);
-    clamped |= static_cast<uint32_t>(step ^ within);
-    const int32_t is_near = ((step ^ within) - 1) >> 31;  // without a branch: a clamp keeps the sign
-    const int32_t taken_off = target[axis].raw() - static_cast<int32_t>(steps) * within - from;
-    return Start{from + (taken_off & is_near), static_cast<int32_t>(static_cast<uint32_t>(within) << kShift)};
-  };
-  // All is loaded before any is stored: a load may have to wait for a store.
-  const Start s0 = start(0), s1 = start(1), s2 = start(2);
-  x[0] = Position::from_raw(s0.x);
-  x[1] = Position::from_raw(s1.x);
-  x[2] = Position::from_raw(s2.x);
-  v[0] = Velocity::from_raw(s0.v);
-  v[1] = Velocity::from_raw(s1.v);
-  v[2] = Velocity::from_raw(s2.v);
+  const int32_t way = target.raw() - x.raw();
+  const int32_t step =
+      IsOnly ? way : multiply_high<Position>(Q<3, 28>::from_raw(2 * way), kFractions[steps]).raw();
+  const int32_t within = within_bits<32 - kShift>(step);
+  clamped |= static_cast<uint32_t>(step ^ within);
+  if constexpr (IsOnly) return Step{x.raw() + within, within};
+  const int32_t is_near = ((step ^ within) - 1) >> 31;  // without a branch: a clamp keeps the sign
+  const int32_t taken_off = way - static_cast<int32_t>(steps) * within;
+  return Step{x.raw() + within + (taken_off & is_near), within};
+}
+
+template <bool IsOnly>
+PALPATE_ALWAYS_INLINE Next led_towards(const Vector3<Position>& target, const Vector3<Position>& x,
+                                       uint32_t steps, Clamped& clamped) {
+  const Step s0 = step_towards<IsOnly>(target[0], x[0], steps, clamped.speed);
+  const Step s1 = step_towards<IsOnly>(target[1], x[1], steps, clamped.speed);
+  const Step s2 = step_towards<IsOnly>(target[2], x[2], steps, clamped.speed);
+  return Next{s0.position(), s1.position(), s2.position(), s0.velocity(), s1.velocity(), s2.velocity()};
 }
 
 }  // namespace integrate_detail
@@ -158,87 +205,151 @@ void start_solve(const Forest<Profile>& forest, const Dynamics& dynamics, const 
   }
 }
 
-/// Once a tick, before its substeps: held and driven nodes set out to where they must be at its end.
+/// Where held nodes must be at the end of the tick.
 template <class Profile>
-void aim_moved_nodes(Forest<Profile>& forest, const Dynamics& dynamics, const HoldMotions& motions,
-                     const DrivenNode& driven, const SolveState<Profile>& solve, ClampCounters& counters) {
-  auto& state = forest.node;
+[[nodiscard]] PALPATE_ALWAYS_INLINE Vector3<Position> held_target(const Forest<Profile>& forest,
+                                                                  const HoldMotions& motions,
+                                                                  NodeControl control, uint16_t node) {
+  const RigidMotion& motion = motions[control == NodeControl::kHeldByFirst ? 0 : 1];
+  return within_position_limit(motion(forest.node.rest[node]));
+}
+
+namespace integrate_detail {
+
+/// Where a node is after a substep, and where its forces are evaluated then.
+template <class Profile>
+PALPATE_ALWAYS_INLINE void put(const Next& next, uint16_t node, Q<0, 31> stiffness_damping,
+                               Forest<Profile>& forest, SolveState<Profile>& solve) {
+  Vector3<Velocity>& v = forest.node.velocity[node];
+  Vector3<Position>& x = forest.node.position[node];
+  Vector3<Position>& force_x = solve.force_position[node];
+  v[0] = next.v0;
+  v[1] = next.v1;
+  v[2] = next.v2;
+  x[0] = next.x0;
+  x[1] = next.x1;
+  x[2] = next.x2;
+  force_x[0] = force_position(next.x0, next.v0, stiffness_damping);
+  force_x[1] = force_position(next.x1, next.v1, stiffness_damping);
+  force_x[2] = force_position(next.x2, next.v2, stiffness_damping);
+}
+
+inline void count(const Clamped& clamped, ClampCounters& counters) {
+  counters.speed += clamped.speed != 0 ? 1u : 0u;
+  counters.position += clamped.position != 0 ? 1u : 0u;
+}
+
+/// What the driven node has while the loop over nodes is to leave it where it is.
+struct Apart {
+  Impulse impulse;
+  NodeControl control;
+};
+
+template <class Profile>
+PALPATE_ALWAYS_INLINE Apart set_apart(uint16_t node, Forest<Profile>& forest, SolveState<Profile>& solve) {
+  const Apart apart{solve.impulse[node], solve.control[node]};
+  solve.impulse[node] = Impulse::from_raw(0);
+  solve.control[node] = NodeControl::kFree;
+  forest.node.velocity[node] = zero_vector<Velocity>();
+  return apart;
+}
+
+template <class Profile>
+PALPATE_ALWAYS_INLINE void take_back(const Apart& apart, uint16_t node, SolveState<Profile>& solve) {
+  solve.impulse[node] = apart.impulse;
+  solve.control[node] = apart.control;
+}
+
+}  // namespace integrate_detail
+
+/// Moves all live nodes by the first substep of a tick: held nodes and the driven one make the first of equal
+/// steps to where they must be at its end.
+template <class Profile>
+PALPATE_ALWAYS_INLINE void integrate_first(Forest<Profile>& forest, const Dynamics& dynamics,
+                                           const HoldMotions& motions, const DrivenNode& driven,
+                                           SolveState<Profile>& solve, ClampCounters& counters) {
+  namespace detail = integrate_detail;
+  constexpr bool kIsOnly = Profile::kSubsteps == 1;
   const uint32_t steps = dynamics.substeps;
-  uint32_t too_fast = 0;
+  const auto& state = forest.node;
+  const auto mass_damping = dynamics.mass_damping;
+  const auto stiffness_damping = dynamics.stiffness_damping;
+  detail::Clamped clamped{0, 0};
+  const bool is_driving = driven.node != kNone;
+  detail::Apart apart{};
+  if (is_driving) apart = detail::set_apart(driven.node, forest, solve);
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
     const uint16_t node = forest.nodes.live(i);
     const NodeControl control = solve.control[node];
-    if ((integrate_detail::sign_if_free(control) | integrate_detail::sign_if_equal(node, driven.node)) < 0) {
-      continue;
+    // All is loaded before any is stored: a load may have to wait for a store.
+    detail::Next next;
+    if (control == NodeControl::kFree) {
+      next = detail::accelerated(state.position[node], state.velocity[node], state.force[node],
+                                 solve.impulse[node], mass_damping, clamped);
+    } else {
+      next = detail::led_towards<kIsOnly>(held_target(forest, motions, control, node), state.position[node],
+                                          steps, clamped);
     }
-    const RigidMotion& motion = motions[control == NodeControl::kHeldByFirst ? 0 : 1];
-    const Vector3<Position> target = motion(state.rest[node]);
-    integrate_detail::aim(state.position[node], state.velocity[node], within_position_limit(target), steps,
-                          too_fast);
+    detail::put(next, node, stiffness_damping, forest, solve);
   }
-  if (driven.node != kNone) {
-    integrate_detail::aim(state.position[driven.node], state.velocity[driven.node], driven.target, steps,
-                          too_fast);
+  if (is_driving) {
+    detail::take_back(apart, driven.node, solve);
+    const auto next =
+        detail::led_towards<kIsOnly>(driven.target, state.position[driven.node], steps, clamped);
+    detail::put(next, driven.node, stiffness_damping, forest, solve);
   }
-  counters.speed += too_fast != 0 ? 1u : 0u;
+  detail::count(clamped, counters);
 }
 
-/// Moves all live nodes by one substep. Nothing accelerates those that were aimed.
+/// The same by one that is not the first: nothing accelerates those that have set out, so that one formula
+/// does for all.
 template <class Profile>
-void integrate_substep(Forest<Profile>& forest, const Dynamics& dynamics, uint16_t driven,
-                       SolveState<Profile>& solve, ClampCounters& counters) {
+PALPATE_ALWAYS_INLINE void integrate_next(Forest<Profile>& forest, const Dynamics& dynamics, uint16_t driven,
+                                          SolveState<Profile>& solve, ClampCounters& counters) {
   namespace detail = integrate_detail;
-  auto& state = forest.node;
+  const auto& state = forest.node;
   const auto mass_damping = dynamics.mass_damping;
   const auto stiffness_damping = dynamics.stiffness_damping;
-  uint32_t too_fast = 0;
-  uint32_t too_far = 0;
+  detail::Clamped clamped{0, 0};
   for (const uint32_t i : bounded<Profile::kNodes>(forest.nodes.used(), [] {})) {
     const uint16_t node = forest.nodes.live(i);
     const int32_t if_free = detail::mask_if_free(solve.control[node], node, driven);
     const auto impulse = Impulse::from_raw(solve.impulse[node].raw() & if_free);
     const auto damping = Q<-5, 36>::from_raw(mass_damping.raw() & if_free);
-    Vector3<Velocity>& v = state.velocity[node];
-    const Vector3<Force>& f = state.force[node];
-    Vector3<Position>& x = state.position[node];
-    Vector3<Position>& force_x = solve.force_position[node];
-    const auto next_v = [&](Eigen::Index axis) {
-      return detail::next_velocity(v[axis], f[axis], impulse, damping, too_fast);
-    };
-    const auto ahead = [&](Position at, Velocity with) {
-      return detail::force_position(at, with, stiffness_damping);
-    };
-    // All is loaded before any is stored: a load may have to wait for a store.
-    const Velocity v0 = next_v(0), v1 = next_v(1), v2 = next_v(2);
-    const Position x0 = detail::moved(x[0], v0, too_far);
-    const Position x1 = detail::moved(x[1], v1, too_far);
-    const Position x2 = detail::moved(x[2], v2, too_far);
-    v[0] = v0;
-    v[1] = v1;
-    v[2] = v2;
-    x[0] = x0;
-    x[1] = x1;
-    x[2] = x2;
-    force_x[0] = ahead(x0, v0);
-    force_x[1] = ahead(x1, v1);
-    force_x[2] = ahead(x2, v2);
+    const auto next = detail::accelerated(state.position[node], state.velocity[node], state.force[node],
+                                          impulse, damping, clamped);
+    detail::put(next, node, stiffness_damping, forest, solve);
   }
-  counters.speed += too_fast != 0 ? 1u : 0u;
-  counters.position += too_far != 0 ? 1u : 0u;
+  detail::count(clamped, counters);
 }
 
 /// All substeps of a tick. `forces()` must fill the nodes' forces at SolveState::force_position, as
-/// `last_forces()`, which may also look at what changes only once a tick; `integrate(remaining)` runs one
-/// substep, 1 the last. They are the caller's so that each can be a stage of its own.
-template <uint32_t MostSubsteps, class Forces, class LastForces, class Integrate>
+/// `last_forces()`, which may also look at what changes only once a tick; `integrate_first(remaining)` and
+/// `integrate_next(remaining)` run one substep, 1 the last. They are the caller's so that each can be a stage
+/// of its own.
+template <uint32_t MostSubsteps, class Forces, class LastForces, class First, class Next>
 PALPATE_ALWAYS_INLINE void advance(const Dynamics& dynamics, Forces&& forces, LastForces&& last_forces,
-                                   Integrate&& integrate) {
-  for (const uint32_t substep : bounded<MostSubsteps - 1>(dynamics.substeps - 1u, [] {})) {
-    forces();
-    integrate(dynamics.substeps - substep);
+                                   First&& integrate_first, Next&& integrate_next) {
+  if constexpr (MostSubsteps == 1) {
+    last_forces();
+    integrate_first(1);
+  } else {
+    const uint32_t substeps = dynamics.substeps;
+    auto first = bounded_total<1>([] {});
+    const auto integrate = [&](uint32_t remaining) {
+      for ([[maybe_unused]] const uint32_t i : first.take(0, remaining == substeps ? 1 : 0)) {
+        integrate_first(remaining);
+        return;
+      }
+      integrate_next(remaining);
+    };
+    for (const uint32_t substep : bounded<MostSubsteps - 1>(substeps - 1, [] {})) {
+      forces();
+      integrate(substeps - substep);
+    }
+    last_forces();
+    integrate(1);
   }
-  last_forces();
-  integrate(1);
 }
 
 }  // namespace palpate

@@ -24,117 +24,158 @@ inline constexpr std::array<uint16_t, kTetherTicks + 1> kReleaseParts = {
     31669, 34963, 38212, 41355, 44337, 47115, 49659, 51954, 53993, 55784, 57340,
     58677, 59818, 60785, 61599, 62281, 62850, 63323, 63715, 64040, 64307, 64528};
 
-namespace tether_detail {
-
-/// 1 / S: mantissa 2^-exponent.
-struct Inverse {
-  Q<1, 30> mantissa;  // (1, 2]
-  int exponent;
-};
-
-inline Inverse inverse_of(Acc<Impulse::kFractionBits> s) {
-  const auto raw = static_cast<uint32_t>(s.raw());  // 0 < S <= 12 with 28 fraction bits
-  const int room = leading_zeros(raw);
-  const auto mantissa = Q<0, 31>::from_raw(static_cast<int32_t>((raw << room) >> 1));
-  // S = mantissa 2^(31 - 28 + 1 - room)
-  return Inverse{reciprocal_normalised(mantissa), 32 - Impulse::kFractionBits - room};
-}
-
-/// u / S as a force, within the limit.
-inline Force force_for(Velocity u, const Inverse& inverse) {
-  constexpr int kBits = Velocity::kFractionBits + 30;
-  const Acc<kBits> product = u * inverse.mantissa;
-  const int64_t raw = shift_right_rounded(product.raw(), kBits - Force::kFractionBits + inverse.exponent);
-  const int64_t limit = kTetherForceLimit.raw();
-  const int64_t low = raw < -limit ? -limit : raw;
-  return Force::from_raw(static_cast<int32_t>(low > limit ? limit : low));
-}
-
-}  // namespace tether_detail
-
 template <class Profile>
 class TetherForces {
  public:
   TetherForces(Forest<Profile>& forest, const SolveState<Profile>& solve, uint16_t driven)
       : node_(forest.node), solve_(solve), driven_(driven) {}
 
-  /// Forces of one tether for the next substep; `substeps_left` counts it, to the end of the tether.
+  /// Forces of one tether for the next substep; `substeps_left` counts it, to the end of the tether. No
+  /// branch but for a tether whose nodes all are moved.
   void add(const Tether& tether, uint32_t substeps_left) {
     const Node node = node_at(tether.node);
     const Node end0 = node_at(tether.end[0]);
     const Node end1 = node_at(tether.end[1]);
-    const auto s = Acc<Impulse::kFractionBits>::from_raw(
-        int64_t{node.mobility.raw()} + ((int64_t{end0.mobility.raw()} + end1.mobility.raw()) >> 2));
-    if (s.raw() == 0) return;
-    const auto inverse = tether_detail::inverse_of(s);
-    const Aim aim = tether.kind == TetherKind::kRelease
-                        ? Aim{kReleaseParts[tether.ticks_left], Part::from_raw(0)}
-                        : Aim{1u << kRateBits, part_of(substeps_left)};
-    for (const uint32_t axis : bounded<3>(3, [] {})) {
-      const auto a = static_cast<Eigen::Index>(axis);
-      const Force on_node =
-          tether_detail::force_for(wanted(aim, rate(node, end0, end1, a), offset(tether, a)), inverse);
-      const Force half = Force::from_raw(on_node.raw() >> 1);
-      (*node.force)[a] += on_node;
-      (*end0.force)[a] -= half;
-      (*end1.force)[a] -= on_node - half;
-    }
+    // 0 .. 12 in the format of Impulse: a word without a sign.
+    const auto word = [](const Node& of) { return static_cast<uint32_t>(of.mobility.raw()); };
+    const uint32_t s = word(node) + ((word(end0) + word(end1)) >> 2);
+    if (s == 0) return;
+    const Inverse inverse = inverse_of(s);
+    const Aim aim = aim_of(tether, substeps_left);
+    add_along(0, node, end0, end1, aim, inverse);
+    add_along(1, node, end0, end1, aim, inverse);
+    add_along(2, node, end0, end1, aim, inverse);
   }
 
  private:
-  using Part = Q<0, 31>;
-  static constexpr int kRateBits = 16;
-  /// What a tether takes off in a substep: this much of u, in 2^-16, and of d.
+  /// What a tether changes in a substep: u by this much of it, in 2^-16, and by this much of d. Not above 0.
   struct Aim {
-    uint32_t of_rate;
-    Part of_offset;
+    int32_t of_rate;
+    Q<0, 31> of_offset;
+  };
+  /// 1 / S = mantissa 2^(room - 4)
+  struct Inverse {
+    Q<1, 30> mantissa;  // (1, 2]
+    int32_t two_to_room;
   };
   struct Node {
+    const Vector3<Position>* position;
     const Vector3<Velocity>* velocity;
     Vector3<Force>* force;
     Impulse mobility;  // 0 for one that something else moves
   };
 
+  PALPATE_ALWAYS_INLINE static void add_along(Eigen::Index axis, const Node& node, const Node& end0,
+                                              const Node& end1, const Aim& aim, const Inverse& inverse) {
+    const Velocity u = rate(node, end0, end1, axis);
+    const Force on_node = force_for(wanted(aim, u, offset(node, end0, end1, axis)), inverse);
+    const Force half = Force::from_raw(on_node.raw() >> 1);
+    // All is loaded before any is stored: a load may have to wait for a store.
+    const Force of_node = (*node.force)[axis] + on_node;
+    const Force of_end0 = (*end0.force)[axis] - half;
+    const Force of_end1 = (*end1.force)[axis] - (on_node - half);
+    (*node.force)[axis] = of_node;
+    (*end0.force)[axis] = of_end0;
+    (*end1.force)[axis] = of_end1;
+  }
+
   [[nodiscard]] Node node_at(uint16_t node) {
     const int32_t if_free = integrate_detail::mask_if_free(solve_.control[node], node, driven_);
-    return Node{&node_.velocity[node], &node_.force[node],
+    return Node{&node_.position[node], &node_.velocity[node], &node_.force[node],
                 Impulse::from_raw(solve_.impulse[node].raw() & if_free)};
   }
-  /// Velocity after the substep, without damping.
-  [[nodiscard]] static Acc<53> next(const Node& node, Eigen::Index a) {
-    return widen<53>((*node.velocity)[a]) + (*node.force)[a] * node.mobility;
+  static Inverse inverse_of(uint32_t s) {
+    const int room = leading_zeros(s);
+    const auto mantissa = Q<0, 31>::from_raw(static_cast<int32_t>((s << room) >> 1));
+    // S of one LSB, for which every force is the limit, has a room too much for a factor.
+    return Inverse{reciprocal_normalised(mantissa), int32_t{1} << (room < 30 ? room : 30)};
   }
-  /// u
+  /// A word's division takes the core less than a reciprocal, and less than a branch around it.
+  static Aim aim_of(const Tether& tether, uint32_t substeps_left) {
+    const uint32_t part = 0x7fffffffu / substeps_left;
+    const int32_t draws = -static_cast<int32_t>(tether.kind);
+    static_assert(static_cast<int32_t>(TetherKind::kRelease) == 0 &&
+                  static_cast<int32_t>(TetherKind::kDraw) == 1);
+    const int32_t released = kReleaseParts[tether.ticks_left];
+    return Aim{-((released & ~draws) | ((1 << kRateBits) & draws)),
+               Q<0, 31>::from_raw(-(static_cast<int32_t>(part) & draws))};
+  }
+  /// u: of velocities after the substep, without damping. Half of an end's mobility leaves half an LSB of it.
   [[nodiscard]] static Velocity rate(const Node& node, const Node& end0, const Node& end1, Eigen::Index a) {
-    const int64_t ends = (next(end0, a).raw() >> 1) + (next(end1, a).raw() >> 1);
-    return narrow_saturated<Velocity>(next(node, a) - Acc<53>::from_raw(ends));
+    constexpr int kShift = Force::kFractionBits + Impulse::kFractionBits - Velocity::kFractionBits;
+    const auto kick = [a](const Node& of, int32_t mobility) {
+      return int64_t{(*of.force)[a].raw()} * mobility;
+    };
+    const auto moving = [a](const Node& of, int32_t weight) {
+      return int64_t{(*of.velocity)[a].raw()} * integrate_detail::as_factor(weight);
+    };
+    int64_t sum = int64_t{1} << (kShift - 1);
+    sum += kick(node, node.mobility.raw());
+    sum += moving(node, 1 << kShift);
+    sum += kick(end0, -(end0.mobility.raw() >> 1));
+    sum += moving(end0, -(1 << (kShift - 1)));
+    sum += kick(end1, -(end1.mobility.raw() >> 1));
+    sum += moving(end1, -(1 << (kShift - 1)));
+    return Velocity::from_raw(integrate_detail::shifted_within<kShift>(sum));
   }
-  /// d
-  [[nodiscard]] Position offset(const Tether& tether, Eigen::Index a) const {
-    const auto& x = node_.position;
-    const auto ends = widen<Position::kFractionBits>(x[tether.end[0]][a]) +
-                      widen<Position::kFractionBits>(x[tether.end[1]][a]);
-    return x[tether.node][a] - narrow<Position>(divide_by_power_of_two<1>(ends));
+  /// d: positions are within +-4 edges, so the sum of two fits.
+  [[nodiscard]] static Position offset(const Node& node, const Node& end0, const Node& end1, Eigen::Index a) {
+    const int32_t ends = (*end0.position)[a].raw() + (*end1.position)[a].raw();
+    return (*node.position)[a] - Position::from_raw((ends + 1) >> 1);
   }
-  /// 1 / substeps left.
-  static Part part_of(uint32_t substeps_left) {
-    const int room = leading_zeros(substeps_left);
-    const auto mantissa = Q<0, 31>::from_raw(static_cast<int32_t>((substeps_left << room) >> 1));
-    const int64_t raw = reciprocal_normalised(mantissa).raw();  // 1 / n = raw 2^-30 2^-(32 - room)
-    const int64_t scaled = (raw << 1) >> (32 - room);
-    return Part::from_raw(static_cast<int32_t>(scaled > 0x7fffffff ? 0x7fffffff : scaled));
-  }
-  /// - (of_rate u + of_offset d)
+  /// of_rate u + of_offset d
   static Velocity wanted(const Aim& aim, Velocity u, Position d) {
-    const auto of_u = Acc<58>::from_raw(int64_t{u.raw()} * static_cast<int32_t>(aim.of_rate) *
-                                        (1 << (58 - kRateBits - Velocity::kFractionBits)));
-    return narrow_saturated<Velocity>(-(of_u + d * aim.of_offset));
+    constexpr int kShift = Position::kFractionBits + 31 - Velocity::kFractionBits;
+    int64_t sum = int64_t{1} << (kShift - 1);
+    sum += int64_t{u.raw()} * (aim.of_rate * (1 << (kShift - kRateBits)));
+    sum += int64_t{d.raw()} * aim.of_offset.raw();
+    return Velocity::from_raw(integrate_detail::shifted_within<kShift>(sum));
   }
+  /// u / S, within the limit: the product's words one by one, times 2^room.
+  static Force force_for(Velocity u, const Inverse& inverse) {
+    constexpr int kShift = Velocity::kFractionBits + 30 - 32 + 4 - Force::kFractionBits;
+    using integrate_detail::as_factor;
+    const int64_t product = int64_t{u.raw()} * inverse.mantissa.raw();
+    const auto low = static_cast<uint32_t>(product);
+    const auto high = static_cast<int32_t>(product >> 32);
+    auto sum =
+        static_cast<int64_t>((uint64_t{low} * static_cast<uint32_t>(as_factor(inverse.two_to_room))) >> 32);
+    sum += int64_t{1} << (kShift - 1);
+    sum += int64_t{high} * as_factor(inverse.two_to_room);
+    return Force::from_raw(within_bits<kLimitBits>(integrate_detail::shifted_within<kShift>(sum)));
+  }
+
+  static constexpr int kRateBits = 16;
+  static constexpr int kLimitBits = Force::kFractionBits;
+  static_assert(kTetherForceLimit.raw() == 1 << (kLimitBits - 1));
 
   NodeState<Profile::kNodes>& node_;
   const SolveState<Profile>& solve_;
   uint16_t driven_;
 };
+
+/// Once a tick, before its substeps: the driven node and held ends of tethers have the velocity at which they
+/// will be moved in it, since a tether asks how fast its ends are before they are moved.
+template <class Profile>
+void aim_ends(Forest<Profile>& forest, const Dynamics& dynamics, const HoldMotions& motions,
+              const DrivenNode& driven, const SolveState<Profile>& solve, const Tethers<Profile>& tethers) {
+  namespace detail = integrate_detail;
+  detail::Clamped clamped{0, 0};  // integrate_first counts it
+  const auto aim = [&](uint16_t node, const Vector3<Position>& target) {
+    const auto next = detail::led_towards<Profile::kSubsteps == 1>(target, forest.node.position[node],
+                                                                   dynamics.substeps, clamped);
+    Vector3<Velocity>& v = forest.node.velocity[node];
+    v[0] = next.v0;
+    v[1] = next.v1;
+    v[2] = next.v2;
+  };
+  for (const uint32_t i : bounded<2 * Profile::kTethers>(2u * tethers.count, [] {})) {
+    const uint16_t end = tethers.tether[i / 2].end[i & 1u];
+    const NodeControl control = solve.control[end];
+    if (control != NodeControl::kFree) aim(end, held_target(forest, motions, control, end));
+  }
+  if (driven.node != kNone) aim(driven.node, driven.target);
+}
 
 /// All tethers, one after the other, for the substep that `remaining` counts (1: the last of the tick).
 template <class Profile>

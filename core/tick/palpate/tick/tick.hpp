@@ -6,10 +6,11 @@
 //              in another one (schedule.hpp)
 //   rotations  in the other two: one extraction step a group, and one blending step; misfits of an eighth of
 //              the leaves
-//   integrate  held and driven nodes set out to where they must be at the end of the tick
+//   integrate  the driven node and held ends of tethers: how fast they will be moved
 //   forces     corotated forces of all leaves; the last evaluation               } once a
 //              also sees what the next rotations need                            } substep
 //   integrate  the contact's force and tethers, then one step of symplectic Euler }
+//              or, of held and driven nodes, towards where they must be in the end }
 //   reaction   what the tissue does to the tool: the force on the driven node in the last substep, or the
 //              contact's after its passivity controller
 //
@@ -89,17 +90,23 @@ PALPATE_NOINLINE void forces(State<Profile>& state) {
 
 template <class Profile>
 PALPATE_NOINLINE void aim(State<Profile>& state, const TickInput& input) {
-  aim_moved_nodes(state.forest, state.model.dynamics, input.hold_motion, state.driven, state.solve,
-                  state.clamps);
+  aim_ends(state.forest, state.model.dynamics, input.hold_motion, state.driven, state.solve, state.tethers);
 }
 
-template <class Profile>
-PALPATE_NOINLINE void integrate(State<Profile>& state, uint32_t remaining) {
+/// In the first substep of a tick held nodes and the driven one set out.
+enum class Substep { kFirst, kNext };
+
+template <Substep Which, class Profile>
+PALPATE_NOINLINE void integrate(State<Profile>& state, const TickInput& input, uint32_t remaining) {
   const Dynamics& dynamics = state.model.dynamics;
   add_load(state.forest, state.contact.load, state.contact.force);
   add_tether_forces(state.forest, state.solve, state.tethers, dynamics.substeps, remaining,
                     state.driven.node);
-  integrate_substep(state.forest, dynamics, state.driven.node, state.solve, state.clamps);
+  if constexpr (Which == Substep::kFirst) {
+    integrate_first(state.forest, dynamics, input.hold_motion, state.driven, state.solve, state.clamps);
+  } else {
+    integrate_next(state.forest, dynamics, state.driven.node, state.solve, state.clamps);
+  }
 }
 
 /// The flag of a tick for a reason why the fronts had to wait.
@@ -167,7 +174,12 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
       [&] { stage(CoreStage::kForces, [&] { tick_stages::forces<Observe::kNo>(state); }); },
       [&] { stage(CoreStage::kForces, [&] { tick_stages::forces<Observe::kYes>(state); }); },
       [&](uint32_t remaining) {
-        stage(CoreStage::kIntegrate, [&] { tick_stages::integrate(state, remaining); });
+        stage(CoreStage::kIntegrate,
+              [&] { tick_stages::integrate<tick_stages::Substep::kFirst>(state, input, remaining); });
+      },
+      [&](uint32_t remaining) {
+        stage(CoreStage::kIntegrate,
+              [&] { tick_stages::integrate<tick_stages::Substep::kNext>(state, input, remaining); });
       });
   stage(CoreStage::kReaction, [&] { tick_stages::reaction(state, input, before, output); });
   ++state.tick;

@@ -150,7 +150,7 @@ class ContactStep {
   /// Whether a tool may appear here: one in the organ or within its skin could be on either side.
   bool is_clear(const Vector3<Position>& tool) {
     find_all_candidates(forest_, tool, rules_.radius, candidates_);
-    auto looks = bounded_total<kMostExamined>(ExaminedTotal{});
+    auto looks = bounded_total<Candidates<Profile>::kMost>([] {});
     SurfacePoint nearest;  // nearest_surface fills it
     const bool is_near = nearest_surface(forest_, candidates_, tool, rules_.radius, looks, nearest);
     const bool is_seen = candidates_.range >= rules_.radius;

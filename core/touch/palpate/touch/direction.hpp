@@ -25,9 +25,16 @@ template <class Integer>
 constexpr Integer if_below(Integer x) {
   return static_cast<Integer>(x >> (8 * static_cast<int>(sizeof(Integer)) - 1));
 }
-/// x, or 0 for less. No branch.
+/// x, or 0 for less. No branch. On a Cortex-M it sets the sticky flag: not while a ClampFlag is in use.
 template <class Integer>
-constexpr Integer not_below_zero(Integer x) {
+PALPATE_ALWAYS_INLINE Integer not_below_zero(Integer x) {
+#ifdef PALPATE_TARGET
+  if constexpr (std::is_same_v<Integer, int32_t>) {
+    int32_t at_least_zero;
+    asm("usat %0, #31, %1" : "=r"(at_least_zero) : "r"(x));
+    return at_least_zero;
+  }
+#endif
   return x & ~if_below(x);
 }
 

@@ -49,14 +49,25 @@ template <class Profile>
                              Sides<Profile>& sides) {
   namespace detail = inside_detail;
   sides.find(forest, x, Position::from_raw(0));
-  // One more than are looked at, which tells that there are more.
-  std::array<uint32_t, kMostBoxes + 2> place;
+  // One more than are looked at, which tells that there are more, and room for two that are too many.
+  std::array<uint32_t, kMostBoxes + 3> place;
   uint32_t count = 0;
-  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    place[count] = i;
-    count += sides.is_beyond(forest.leaf[i]) ? 0u : 1u;
-    count = count <= kMostBoxes ? count : kMostBoxes + 1;
+  const auto is_beyond = [&](uint32_t at) { return sides.is_beyond(forest.leaf[at]) ? 1u : 0u; };
+  const auto list = [&](uint32_t at, uint32_t beyond) {
+    place[count] = at;
+    count += 1 - beyond;
+  };
+  const auto cut = [&] { count = count <= kMostBoxes ? count : kMostBoxes + 1; };
+  for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2u, [] {})) {
+    uint32_t beyond0 = is_beyond(2 * pair);
+    uint32_t beyond1 = is_beyond(2 * pair + 1);
+    have_both(beyond0, beyond1);
+    list(2 * pair, beyond0);
+    list(2 * pair + 1, beyond1);
+    cut();
   }
+  if (forest.leaf_count % 2 != 0) list(forest.leaf_count - 1u, is_beyond(forest.leaf_count - 1u));
+  cut();
   if (count > kMostBoxes) return true;
   bool is_in = false;
   for (const uint32_t i : bounded<kMostBoxes>(count, [] {})) {

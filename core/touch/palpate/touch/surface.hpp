@@ -59,8 +59,9 @@ struct Candidates {
     Sides<Profile> sides;  // scratch of a search, until all leaves are listed
     std::array<Candidate, kMost + 1> face;
   };
-  // Scratch of a search: the place of a leaf and its Sides::faces_in_reach, and 0 behind the last one.
-  std::array<uint32_t, kListed + 1> listed;
+  // Scratch. Of a search 16 times the place of a leaf, and its Sides::faces_in_reach, and 0 behind the last
+  // one; then the places of candidates that are near enough to be looked at closely.
+  std::array<uint32_t, kListed + 2> listed;
   uint32_t count;
   Position range;
 };
@@ -69,12 +70,10 @@ namespace surface_detail {
 
 /// Of coordinates: their difference fits. No branch.
 inline Position smaller(Position a, Position b) {
-  const int32_t from_b = (a - b).raw();
-  return b + Position::from_raw(from_b & (from_b >> 31));
+  return a - Position::from_raw(not_below_zero((a - b).raw()));
 }
 inline Position larger(Position a, Position b) {
-  const int32_t from_b = (a - b).raw();
-  return a - Position::from_raw(from_b & (from_b >> 31));
+  return b + Position::from_raw(not_below_zero((a - b).raw()));
 }
 
 /// 1 for a face that may be as near as `range`, else 0.
@@ -82,47 +81,57 @@ inline uint32_t is_within(Position bound, Position range) { return bound <= rang
 
 /// Distance to the box around a triangle in the maximum norm: never more than that to the triangle.
 inline Position distance_to_box(const Vector3<Position>& a, const Vector3<Position>& b,
-                                const Vector3<Position>& c, const Vector3<Position>& x) {
-  const auto along = [&](Eigen::Index axis) {
+                                const Vector3<Position>& c, Position x0, Position x1, Position x2) {
+  const auto along = [&](Eigen::Index axis, Position x) {
     const Position low = smaller(c[axis], smaller(a[axis], b[axis]));
     const Position high = larger(c[axis], larger(a[axis], b[axis]));
-    return larger(low - x[axis], x[axis] - high);
+    return larger(low - x, x - high);
   };
-  return larger(larger(along(0), along(1)), larger(along(2), Position::from_raw(0)));
+  const Position farthest = larger(larger(along(0, x0), along(1, x1)), along(2, x2));
+  return Position::from_raw(not_below_zero(farthest.raw()));
 }
 
 inline constexpr uint32_t kTightenings = 8;
 
-/// A search's state: how many are kept, and how near the surface is known.
+/// A search's state: how many are kept, the sum of their bounds, in units of what so many may be together in
+/// a word, and how near the surface is known.
 struct Room {
   uint32_t count;
+  uint32_t sum;
   Position range;
 };
 
-/// Lowers the range by a quarter at least, but not below the nearest candidate's bound, and drops what is
-/// beyond: one at least, unless all are equally near.
+/// Bits that a bound has less in the sum of kMost of them.
+template <class Profile>
+inline constexpr int kSumShift = 32 - leading_zeros(Candidates<Profile>::kMost - 1);
+
+/// Of candidates that fill the room: lowers the range to their mean, and drops what is beyond, one at least
+/// unless all are equally near.
 template <class Profile>
 PALPATE_ALWAYS_INLINE Room tightened(Room room, Candidates<Profile>& found) {
   constexpr uint32_t kMost = Candidates<Profile>::kMost;
-  Position low = found.face[0].bound;
-  Position high = low;
-  for (const uint32_t i : bounded<kMost>(room.count, [] {})) {
-    const Position bound = found.face[i].bound;
-    low = smaller(bound, low);
-    high = larger(bound, high);
+  constexpr int kShift = kSumShift<Profile>;
+  const auto mean = Position::from_raw(static_cast<int32_t>((room.sum / kMost + 1) << kShift));
+  const Position range = smaller(mean, room.range);
+  Room left{0, 0, range};
+  const auto keep = [&](uint32_t face, Position bound) {
+    found.face[left.count].face = face;
+    found.face[left.count].bound = bound;
+    const int32_t beyond = if_below((range - bound).raw());
+    left.count += static_cast<uint32_t>(beyond + 1);
+    left.sum += static_cast<uint32_t>((bound.raw() >> kShift) & ~beyond);
+  };
+  for (const uint32_t pair : bounded<kMost / 2>(kMost / 2, [] {})) {
+    // All is loaded before any is stored: a load may have to wait for a store.
+    const Candidate& even = found.face[2 * pair];
+    const Candidate& odd = found.face[2 * pair + 1];
+    const uint32_t face0 = even.face, face1 = odd.face;
+    const Position bound0 = even.bound, bound1 = odd.bound;
+    keep(face0, bound0);
+    keep(face1, bound1);
   }
-  const Position middle = Position::from_raw(low.raw() + (high.raw() - low.raw()) / 2);
-  const Position less = Position::from_raw(room.range.raw() - room.range.raw() / 4);
-  const Position range = smaller(larger(smaller(middle, less), low), room.range);
-  uint32_t kept = 0;
-  for (const uint32_t i : bounded<kMost>(room.count, [] {})) {
-    const uint32_t face = found.face[i].face;
-    const Position bound = found.face[i].bound;
-    found.face[kept].face = face;
-    found.face[kept].bound = bound;
-    kept += is_within(bound, range);
-  }
-  return Room{kept, range};
+  if constexpr (kMost % 2 != 0) keep(found.face[kMost - 1].face, found.face[kMost - 1].bound);
+  return left;
 }
 
 /// Keeps it where it is in range and there is room for it. Where there is none the range ends before it.
@@ -139,24 +148,56 @@ PALPATE_ALWAYS_INLINE Room offered(Room room, const Candidate& candidate, Total&
   // Below 0 where it is in range.
   const int32_t beyond = (candidate.bound - Position::from_raw(1) - room.range).raw();
   const int32_t has_room = static_cast<int32_t>(room.count - kMost) >> 31;
-  return Room{room.count + (static_cast<uint32_t>(beyond & has_room) >> 31),
+  const int32_t is_kept = (beyond & has_room) >> 31;
+  return Room{room.count - static_cast<uint32_t>(is_kept),
+              room.sum + static_cast<uint32_t>(candidate.bound.raw() >> kSumShift<Profile> & is_kept),
               room.range + Position::from_raw(beyond & (beyond >> 31) & ~has_room)};
 }
 
-/// How many leaves have faces in reach: those that are listed.
+/// How many leaves have faces in reach: those that are listed. Two leaves at once.
 template <class Profile>
 uint32_t list_leaves(const Forest<Profile>& forest, Candidates<Profile>& found) {
   constexpr uint32_t kListed = Candidates<Profile>::kListed;
-  static_assert(Profile::kLeaves <= 1u << Sides<Profile>::kFreeBits,
-                "palpate: a leaf's place and its faces in reach share a word");
   uint32_t count = 0;
-  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
-    const uint32_t faces = found.sides.faces_in_reach(forest.leaf[i]);
-    found.listed[count] = faces | i;
+  const auto faces_of = [&](uint32_t place) { return found.sides.faces_in_reach(forest.leaf[place]); };
+  const auto list = [&](uint32_t place, uint32_t faces) {
+    found.listed[count] = 16 * place + faces;
     count += faces != 0 ? 1 : 0;
-    count = count < kListed ? count : kListed;
+  };
+  const auto cut = [&] { count = count < kListed ? count : kListed; };
+  for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2u, [] {})) {
+    uint32_t faces0 = faces_of(2 * pair);
+    uint32_t faces1 = faces_of(2 * pair + 1);
+    have_both(faces0, faces1);
+    list(2 * pair, faces0);
+    list(2 * pair + 1, faces1);
+    cut();
   }
+  if (forest.leaf_count % 2 != 0) list(forest.leaf_count - 1u, faces_of(forest.leaf_count - 1u));
+  cut();
   found.listed[count] = 0;
+  return count;
+}
+
+/// How many candidates may be as near as `within`: those whose places are listed.
+template <class Profile>
+uint32_t list_within(Position within, Candidates<Profile>& candidates) {
+  uint32_t count = 0;
+  const auto is_near = [&](uint32_t i) {
+    return static_cast<uint32_t>(1 + if_below((within - candidates.face[i].bound).raw()));
+  };
+  const auto list = [&](uint32_t i, uint32_t one) {
+    candidates.listed[count] = i;
+    count += one;
+  };
+  for (const uint32_t pair : bounded<Candidates<Profile>::kMost / 2>(candidates.count / 2, [] {})) {
+    uint32_t one0 = is_near(2 * pair);
+    uint32_t one1 = is_near(2 * pair + 1);
+    have_both(one0, one1);
+    list(2 * pair, one0);
+    list(2 * pair + 1, one1);
+  }
+  if (candidates.count % 2 != 0) list(candidates.count - 1, is_near(candidates.count - 1));
   return count;
 }
 
@@ -170,31 +211,30 @@ template <class Profile, uint32_t Tightenings = surface_detail::kTightenings,
           uint32_t Looks = Candidates<Profile>::kLooks>
 void find_candidates(const Forest<Profile>& forest, const Vector3<Position>& centre, Position range,
                      Candidates<Profile>& found) {
-  constexpr uint32_t kPlace = (1u << Sides<Profile>::kFreeBits) - 1u;
   found.sides.find(forest, centre, range);
   const uint32_t leaves = surface_detail::list_leaves(forest, found);
-  surface_detail::Room room{0, range};
+  surface_detail::Room room{0, 0, range};
   auto tightenings = bounded_total<Tightenings>([] {});
+  // Scalars, or they would be loaded anew after every candidate that is stored.
+  const Position x0 = centre[0], x1 = centre[1], x2 = centre[2];
   // Face by face in one loop: the next leaf comes when the one before has no face left.
   uint32_t next = 0;
-  uint32_t place = 0;
-  uint32_t faces = 0;
+  uint32_t leaf = 0;
   for ([[maybe_unused]] const uint32_t look : bounded<Looks>(Looks, [] {})) {
-    const uint32_t is_next = faces == 0 ? 1 : 0;
-    const uint32_t listed = found.listed[next];
-    place = is_next != 0 ? listed & kPlace : place;
-    faces = is_next != 0 ? Sides<Profile>::in_order(listed) : faces;
-    next += is_next;
-    if (faces == 0) break;
-    const auto face = static_cast<uint32_t>(31 - leading_zeros(faces));
-    faces ^= 1u << face;
+    const auto if_next = static_cast<uint32_t>(if_below(static_cast<int32_t>(leaf & 15u) - 1));
+    leaf = (leaf & ~if_next) | (found.listed[next] & if_next);
+    next -= if_next;
+    if ((leaf & 15u) == 0) break;
+    const auto face = static_cast<uint32_t>(31 - leading_zeros(leaf & 15u));
+    leaf ^= 1u << face;
+    const uint32_t place = leaf >> 4;
     const auto corner = [&](uint32_t k) -> const Vector3<Position>& {
       return forest.node.position[forest.leaf[place].node[(face + k) & 3u]];
     };
-    const Position bound = surface_detail::distance_to_box(corner(1), corner(2), corner(3), centre);
+    const Position bound = surface_detail::distance_to_box(corner(1), corner(2), corner(3), x0, x1, x2);
     room = surface_detail::offered(room, Candidate{4 * place + face, bound}, tightenings, found);
   }
-  const bool is_whole = faces == 0 && next >= leaves;
+  const bool is_whole = (leaf & 15u) == 0 && next >= leaves;
   found.count = room.count;
   found.range = is_whole ? room.range : Position::from_raw(-1);
 }
@@ -220,7 +260,7 @@ struct SurfacePoint {
 /// first is taken. Cost: closest_on_triangle a candidate, each of which is taken from `looks`, a
 /// BoundedTotal.
 template <class Profile, class Total>
-[[nodiscard]] bool nearest_surface(const Forest<Profile>& forest, const Candidates<Profile>& candidates,
+[[nodiscard]] bool nearest_surface(const Forest<Profile>& forest, Candidates<Profile>& candidates,
                                    const Vector3<Position>& x, Position within, Total& looks,
                                    SurfacePoint& nearest) {
   const auto& position = forest.node.position;
@@ -230,16 +270,14 @@ template <class Profile, class Total>
   const auto closest_on = [&](const FaceNodes& node) {
     return closest_on_triangle(position[node[0]], position[node[1]], position[node[2]], x);
   };
-  for (const uint32_t i : bounded<Candidates<Profile>::kMost>(candidates.count, [] {})) {
-    const uint32_t has_left = looks.left() > 0 ? 1 : 0;
-    const uint32_t wanted = surface_detail::is_within(candidates.face[i].bound, within) & has_left;
-    for ([[maybe_unused]] const uint32_t look : looks.take(0, wanted)) {
-      const TrianglePoint closest = closest_on(nodes_of(forest, candidates.face[i]));
-      const auto square = square_of(Vector3<Position>(x - closest.point));
-      const bool is_closer = square < least;
-      least = is_closer ? square : least;
-      best = is_closer ? i : best;
-    }
+  const uint32_t count = surface_detail::list_within(within, candidates);
+  for (const uint32_t look : looks.take(0, count)) {
+    const uint32_t i = candidates.listed[look];
+    const TrianglePoint closest = closest_on(nodes_of(forest, candidates.face[i]));
+    const auto square = square_of(Vector3<Position>(x - closest.point));
+    const bool is_closer = square < least;
+    least = is_closer ? square : least;
+    best = is_closer ? i : best;
   }
   if (least == kFar) return false;
   nearest.node = nodes_of(forest, candidates.face[best]);
@@ -262,7 +300,7 @@ template <class Profile, class Total>
 
 /// Of all candidates.
 template <class Profile>
-[[nodiscard]] bool nearest_surface(const Forest<Profile>& forest, const Candidates<Profile>& candidates,
+[[nodiscard]] bool nearest_surface(const Forest<Profile>& forest, Candidates<Profile>& candidates,
                                    const Vector3<Position>& x, SurfacePoint& nearest) {
   auto looks = bounded_total<Candidates<Profile>::kMost>([] {});
   return nearest_surface(forest, candidates, x, Position::max(), looks, nearest);
