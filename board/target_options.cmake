@@ -1,5 +1,7 @@
 # What every part is compiled with on a target. The force-included header ends by making the words float and
-# double errors. Unaligned accesses are off because the timing bound has no cost for them.
+# double errors. Unaligned accesses are off because the timing bound has no cost for them. Without peephole2 no
+# list of loads is made of single ones: it may take an address on the stack, and then the bound takes every store for one
+# that may be to the stack.
 set(palpate_processor_mps2_an500 cortex-m7)
 set(palpate_processor_mps2_an386 cortex-m4)
 set(palpate_processor_stm32h743 cortex-m7)
@@ -30,6 +32,7 @@ target_compile_options(
             -mslow-flash-data
             -fno-tree-loop-distribute-patterns
             -fno-ipa-cp-clone
+            -fno-peephole2
             "SHELL:-include palpate/numeric/platform.hpp")
 target_compile_definitions(palpate_options INTERFACE PALPATE_TARGET)
 target_link_options(palpate_options INTERFACE ${palpate_processor_options})

@@ -60,6 +60,15 @@ TEST(BoundedTotal, GivesRangesUntilTheTotalIsUsedUp) {
   EXPECT_TRUE(visited_in(total.take(3, 0)).empty());
 }
 
+TEST(BoundedTotal, GoesThroughElementsByTheirAddresses) {
+  auto total = bounded_total<4>([] {});
+  const std::array<uint16_t, 5> numbers{9, 8, 7, 6, 5};
+  std::vector<uint16_t> visited;
+  for (const uint16_t* number : total.take(numbers.data() + 1, 3)) visited.push_back(*number);
+  EXPECT_EQ(visited, (std::vector<uint16_t>{8, 7, 6}));
+  EXPECT_EQ(total.left(), 1u);
+}
+
 TEST(BoundedTotal, CountsWhatIsTakenAndNotWhatIsRun) {
   auto total = bounded_total<4>([] {});
   for (const uint32_t index : total.take(0, 3)) {

@@ -33,26 +33,30 @@ PALPATE_ALWAYS_INLINE void leave_flow_fact() {
 #endif
 }
 
+/// Goes through numbers, or through the elements of an array by their addresses.
+template <uint32_t Max, class Place, class At>
+class BoundedIterator {
+ public:
+  constexpr explicit BoundedIterator(At at) : at_(at) {}
+  PALPATE_ALWAYS_INLINE At operator*() const {
+    leave_flow_fact<FlowFact::kBody, Place, Max>();
+    return at_;
+  }
+  constexpr BoundedIterator& operator++() {
+    ++at_;
+    return *this;
+  }
+  constexpr bool operator!=(BoundedIterator other) const { return at_ != other.at_; }
+
+ private:
+  At at_;
+};
+
 /// The numbers 0 .. min(count, Max) - 1, each visited once, in order.
 template <uint32_t Max, class Place>
 class BoundedRange {
  public:
-  class Iterator {
-   public:
-    constexpr explicit Iterator(uint32_t at) : at_(at) {}
-    PALPATE_ALWAYS_INLINE uint32_t operator*() const {
-      leave_flow_fact<FlowFact::kBody, Place, Max>();
-      return at_;
-    }
-    constexpr Iterator& operator++() {
-      ++at_;
-      return *this;
-    }
-    constexpr bool operator!=(Iterator other) const { return at_ != other.at_; }
-
-   private:
-    uint32_t at_;
-  };
+  using Iterator = BoundedIterator<Max, Place, uint32_t>;
 
   constexpr explicit BoundedRange(uint32_t count) : count_(count < Max ? count : Max) {
     check(count <= Max, "a bounded loop was asked for more than its maximum");
@@ -79,30 +83,40 @@ constexpr BoundedRange<Max, Place> bounded(uint32_t count, Place) {
 template <uint32_t Max, class Place>
 class BoundedTotal {
  public:
+  template <class At>
   class Range {
    public:
-    using Iterator = typename BoundedRange<Max, Place>::Iterator;
-    constexpr Range(uint32_t first, uint32_t count) : first_(first), end_(first + count) {}
+    using Iterator = BoundedIterator<Max, Place, At>;
+    constexpr Range(At first, uint32_t count) : first_(first), end_(first + count) {}
     [[nodiscard]] constexpr Iterator begin() const { return Iterator(first_); }
     [[nodiscard]] constexpr Iterator end() const { return Iterator(end_); }
 
    private:
-    uint32_t first_, end_;
+    At first_, end_;
   };
 
   PALPATE_ALWAYS_INLINE explicit BoundedTotal(Place) : left_(Max) {
     leave_flow_fact<FlowFact::kEnter, Place, Max>();
   }
   /// first .. first + count - 1, cut where the total ends.
-  [[nodiscard]] constexpr Range take(uint32_t first, uint32_t count) {
-    check(count <= left_, "nested loops were asked for more than their total");
-    const uint32_t granted = count < left_ ? count : left_;
-    left_ -= granted;
-    return Range(first, granted);
+  [[nodiscard]] constexpr Range<uint32_t> take(uint32_t first, uint32_t count) {
+    return Range<uint32_t>(first, grant(count));
+  }
+  /// The same of an array's elements, by their addresses: the loop needs no counter beside its pointer.
+  template <class Element>
+  [[nodiscard]] constexpr Range<Element*> take(Element* first, uint32_t count) {
+    return Range<Element*>(first, grant(count));
   }
   [[nodiscard]] constexpr uint32_t left() const { return left_; }
 
  private:
+  [[nodiscard]] constexpr uint32_t grant(uint32_t count) {
+    check(count <= left_, "nested loops were asked for more than their total");
+    const uint32_t granted = count < left_ ? count : left_;
+    left_ -= granted;
+    return granted;
+  }
+
   uint32_t left_;
 };
 
