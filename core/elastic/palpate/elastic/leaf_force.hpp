@@ -60,13 +60,31 @@ class LeafForce {
     add_row<2>(weights, mean);
   }
 
-  /// Adds the nodal forces. 7 multiplies beside those by signs.
+  /// Adds the nodal forces, from t_jk, component axis j of the force that pulls at g_k. 7 multiplies beside
+  /// those by signs.
   PALPATE_ALWAYS_INLINE void scatter(const Material& material, Vector3<FrameForce>& f0,
                                      Vector3<FrameForce>& f1, Vector3<FrameForce>& f2,
                                      Vector3<FrameForce>& f3, ClampFlag& clamped) const {
     FrameForce t[3][3];
-    edge_forces(material, t, clamped);
+    const Stresses of = stresses(material, clamped);
+    const auto normal = [&](int j) {
+      t[j][j] = clamped.clamp<kForceBits>(
+          multiply_add_high(of.twice_mu, rows_.c[j][j], times(rows_.sign[j], of.at_no_stretch)));
+    };
+    const auto tangential = [&](int j, int k) {
+      const int32_t sign = rows_.sign[j] * rows_.sign[k];
+      const auto mu = Q<0, 31>::from_raw(of.twice_mu.raw() >> 1);
+      const Position twice_strain = rows_.c[j][k] + times(sign, rows_.c[k][j]);
+      t[j][k] = clamped.clamp<kForceBits>(multiply_high<FrameForce>(mu, twice_strain));
+      t[k][j] = times(sign, t[j][k]);
+    };
+    normal(0);
+    normal(1);
+    normal(2);
+    tangential(0, 1);
+    tangential(0, 2);
     scatter_row<0>(t[0], f0, f1, f2, f3);
+    tangential(1, 2);  // in the time that the next row's loads may have to wait
     scatter_row<1>(t[1], f0, f1, f2, f3);
     scatter_row<2>(t[2], f0, f1, f2, f3);
   }
@@ -150,31 +168,18 @@ class LeafForce {
     }
   }
 
-  /// t_jk, component axis j of the force that pulls at g_k.
-  PALPATE_ALWAYS_INLINE void edge_forces(const Material& material, FrameForce (&t)[3][3],
-                                         ClampFlag& clamped) const {
+  /// What the stress is made of beside the strain: 2 mu h / 2^t and lambda h / 2^t trace - 2 mu h^2 / 2^t.
+  struct Stresses {
+    Q<0, 31> twice_mu;
+    FrameForce at_no_stretch;
+  };
+  PALPATE_ALWAYS_INLINE Stresses stresses(const Material& material, ClampFlag& clamped) const {
     const auto& c = rows_.c;
     const auto& s = rows_.sign;
     const Q<0, 31> twice_mu = twice_shear(material);
     const Position stretches = times(s[0], c[0][0]) + times(s[1], c[1][1]) + times(s[2], c[2][2]);
     const Position trace = clamped.clamp<kTraceBits>(stretches - (kEdge + kEdge + kEdge));
-    const FrameForce at_no_stretch = pressure(material, trace) - multiply_high<FrameForce>(twice_mu, kEdge);
-    const auto normal = [&](int j) {
-      t[j][j] = clamped.clamp<kForceBits>(multiply_add_high(twice_mu, c[j][j], times(s[j], at_no_stretch)));
-    };
-    const auto mu = Q<0, 31>::from_raw(twice_mu.raw() >> 1);
-    const auto tangential = [&](int j, int k) {
-      const int32_t sign = s[j] * s[k];
-      const Position twice_strain = c[j][k] + times(sign, c[k][j]);
-      t[j][k] = clamped.clamp<kForceBits>(multiply_high<FrameForce>(mu, twice_strain));
-      t[k][j] = times(sign, t[j][k]);
-    };
-    normal(0);
-    normal(1);
-    normal(2);
-    tangential(0, 1);
-    tangential(0, 2);
-    tangential(1, 2);
+    return {twice_mu, pressure(material, trace) - multiply_high<FrameForce>(twice_mu, kEdge)};
   }
 
   /// All of a row is loaded before any of it is stored: a load may have to wait for a store that might meet

@@ -1,0 +1,19 @@
+// What a compiler may not know or move. It takes a core for one whose loads never wait for stores, and adds
+// up addresses anew where one that is kept would do.
+#pragma once
+
+#include "palpate/numeric/platform.hpp"
+
+namespace palpate {
+
+/// The value, of which the compiler knows nothing: it is kept as it is, and not made of others again.
+template <class Value>
+PALPATE_ALWAYS_INLINE Value opaque(Value value) {
+  asm("" : "+r"(value));
+  return value;
+}
+
+/// All that is loaded before this is loaded before anything behind it is stored.
+PALPATE_ALWAYS_INLINE void end_of_loads() { asm volatile("" ::: "memory"); }
+
+}  // namespace palpate
