@@ -100,7 +100,7 @@ class TetherForces {
     return Aim{-((released & ~draws) | ((1 << kRateBits) & draws)),
                Q<0, 31>::from_raw(-(static_cast<int32_t>(part) & draws))};
   }
-  /// u: of velocities after the substep, without damping. Half of an end's mobility leaves half an LSB of it.
+  /// u: of velocities after the substep, without damping. Half of a mobility is cut off to whole LSBs.
   [[nodiscard]] static Velocity rate(const Node& node, const Node& end0, const Node& end1, Eigen::Index a) {
     constexpr int kShift = Force::kFractionBits + Impulse::kFractionBits - Velocity::kFractionBits;
     const auto kick = [a](const Node& of, int32_t mobility) {
