@@ -8,7 +8,7 @@
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
-#include "palpate/numeric/as_base.hpp"
+#include "palpate/numeric/opaque.hpp"
 
 namespace palpate {
 
@@ -47,7 +47,7 @@ struct RotationFront {
   std::array<uint16_t, Profile::kLeaves> leaf_order;  // places in Forest::leaf
   std::array<uint16_t, kGroupNodes + 1> node_order;   // the last one is scratch of index_nodes
   // Of each node, scratch: where the leaves of the group begin that named it last, while node_order is made;
-  // its place in the list of the group whose forces are computed.
+  // how far its place in the frame is from the first one, in bytes, while a group's forces are computed.
   std::array<uint32_t, Profile::kNodes> mark;
   uint16_t pairs_at;  // of groups, the place where the looks at pairs go on
 };
@@ -101,8 +101,8 @@ PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<
     const uint16_t group = front.groups.live(used - 1 - i);
     start(group, front.leaves[group].count);
   }
-  const Leaf* const leaves = as_base(forest.leaf.data());
-  uint16_t* const leaf_order = as_base(front.leaf_order.data());
+  const Leaf* const leaves = opaque(forest.leaf.data());
+  uint16_t* const leaf_order = opaque(front.leaf_order.data());
   const auto put = [&](uint32_t place, uint32_t leaf) { leaf_order[place] = static_cast<uint16_t>(leaf); };
   const uint32_t pairs = forest.leaf_count / 2;
 #pragma GCC unroll 2
@@ -126,13 +126,13 @@ PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<
 /// leaves of all groups: a node is new in a group when one whose leaves are before, or none, named it last.
 template <class Profile>
 PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<Profile>& front) {
-  uint32_t* const named_by = as_base(front.mark.data());
+  uint32_t* const named_by = opaque(front.mark.data());
   constexpr uint32_t kNobody = 0xffffffff;  // before all, as a number with a sign
 #pragma GCC unroll 8
   for (const uint32_t i : bounded<Profile::kNodes>(Profile::kNodes, [] {})) named_by[i] = kNobody;
-  const Leaf* const leaves = as_base(forest.leaf.data());
-  const uint16_t* const leaf_order = as_base(front.leaf_order.data());
-  uint16_t* const node_order = as_base(front.node_order.data());
+  const Leaf* const leaves = opaque(forest.leaf.data());
+  const uint16_t* const leaf_order = opaque(front.leaf_order.data());
+  uint16_t* const node_order = opaque(front.node_order.data());
   uint32_t end = 0;
 #pragma GCC unroll 4
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
@@ -225,8 +225,8 @@ template <class Profile, class Total>
   const uint8_t level = forest.level_of(tet);
   const Span span = front.leaves[group];
   const uint32_t difference = uint32_t{added} - group;
-  Leaf* const leaf_at = as_base(forest.leaf.data());
-  const uint16_t* const leaf_order = as_base(front.leaf_order.data());
+  Leaf* const leaf_at = opaque(forest.leaf.data());
+  const uint16_t* const leaf_order = opaque(front.leaf_order.data());
   uint32_t moved = 0;
 #pragma GCC unroll 4
   for (const uint32_t at : leaves.take(span.begin, span.count)) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "palpate/mesh/forest.hpp"
-#include "palpate/numeric/at_once.hpp"
+#include "palpate/numeric/opaque.hpp"
 
 namespace palpate {
 
@@ -62,8 +62,8 @@ class Sides {
   template <Eigen::Index Axis>
   PALPATE_ALWAYS_INLINE static uint32_t beyond_along(const Vector3<Position>& x, const Vector3<Position>& low,
                                                      Position width) {
-    Position from_low = x[Axis] - low[Axis];
-    take_as_it_is(from_low);  // or the loop would keep the high sides as well as the low ones
+    // Opaque, or the loop would keep the high sides as well as the low ones.
+    const Position from_low = Position::from_raw(opaque((x[Axis] - low[Axis]).raw()));
     const uint32_t above = static_cast<uint32_t>((width - from_low).raw()) >> 31;
     const uint32_t below = static_cast<uint32_t>(from_low.raw()) >> 31;
     return (above | below << 1) << (2 * Axis);
