@@ -51,7 +51,7 @@ struct Split {
   Patch patch;
 };
 
-/// A patch at a random place, in the way MeshChanges does it. Node kNone if the pools are full.
+/// A patch at a random place, in the way PatchSplits does it. Node kNone if the pools are full.
 inline Split split_at_random(Moving& m, Random& random) {
   Split split{kNone, {}, {}};
   Forest<MovingProfile>& forest = m.body.forest();

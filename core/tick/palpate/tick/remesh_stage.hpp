@@ -7,7 +7,7 @@
 
 namespace palpate {
 
-/// Elasticity as RotationChanges sees it, and of the mesh what full corotation asks for.
+/// Elasticity as a RotationTurn sees it, and of the mesh what full corotation asks for.
 template <class Profile>
 struct GroupRotations {
   Groups<Profile>& groups;
@@ -101,7 +101,7 @@ struct GroupRotations {
   }
 };
 
-/// The solver as MeshChanges sees it.
+/// The solver as a MeshTurn sees it.
 template <class Profile>
 struct SolvedNodes {
   Forest<Profile>& forest;
@@ -139,21 +139,23 @@ template <class Profile>
 void change_front(State<Profile>& state) {
   const RotationRules& rules = state.model.remesh.rotation;
   GroupRotations<Profile> rotations{state.groups, state.front, state.forest, state.urgencies, rules};
-  RotationChanges<Profile, GroupRotations<Profile>> changes(state.forest, state.front, rules, rotations,
-                                                            state.remesh);
-  state.waiting = (state.waiting & ~kFrontFlags) | changes.run();
-  if (changes.changed()) index_groups(state.forest, state.front);
+  RotationTurn<Profile, GroupRotations<Profile>> turn(state.forest, state.front, rules, rotations,
+                                                      state.remesh);
+  RotationChanges<Profile, GroupRotations<Profile>>(turn).run();
+  state.waiting = (state.waiting & ~kFrontFlags) | turn.flags;
+  if (turn.changed) index_groups(state.forest, state.front);
 }
 
 /// The turn of the mesh.
 template <class Profile>
 void change_mesh(State<Profile>& state) {
   TouchedNodes<Profile> nodes{{state.forest, state.solve, state.model}, state.contact.load};
-  MeshChanges<Profile, TouchedNodes<Profile>> changes(state.forest, state.front, state.tethers,
-                                                      state.urgencies, state.model.remesh.stretch,
-                                                      state.driven.node, nodes, state.remesh);
-  state.waiting = (state.waiting & kFrontFlags) | changes.run();
-  if (changes.changed()) index_groups(state.forest, state.front);
+  MeshTurn<Profile, TouchedNodes<Profile>> turn(state.forest, state.front, state.tethers, state.urgencies,
+                                                state.model.remesh.stretch, state.driven.node, nodes,
+                                                state.remesh);
+  make_mesh_changes(turn);
+  state.waiting = (state.waiting & kFrontFlags) | turn.flags;
+  if (turn.changed) index_groups(state.forest, state.front);
 }
 
 /// What the next turn of the mesh goes by.
