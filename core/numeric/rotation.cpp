@@ -3,10 +3,9 @@
 #include "palpate/numeric/high_word.hpp"
 
 namespace palpate {
-RotationMatrix rotation_matrix(const Quaternion& q) {
+void rotation_matrix(const Quaternion& q, RotationMatrix& r) {
   const auto [w, x, y, z] = q;
   const auto twice = [](Acc<60> acc) { return narrow<RotationEntry>(Acc<59>::from_raw(acc.raw())); };
-  RotationMatrix r;
   const auto pair = [&](Eigen::Index i, Eigen::Index j, Acc<60> even, Acc<60> odd) {
     r(i, j) = twice(even - odd);
     r(j, i) = twice(even + odd);
@@ -21,7 +20,6 @@ RotationMatrix rotation_matrix(const Quaternion& q) {
   r(0, 0) = twice(half - yy - zz);
   r(1, 1) = twice(half - xx - zz);
   r(2, 2) = twice(half - xx - yy);
-  return r;
 }
 
 void approach(Quaternion& q, const Quaternion& to, RotationEntry fraction) {

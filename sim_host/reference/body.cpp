@@ -21,7 +21,8 @@ ReferenceBody::ReferenceBody(const Mesh& mesh, const BodyParameters& parameters,
 
 Vector ReferenceBody::tick(const BodyInput& input) {
   update_grasp(input);
-  update_rotations();
+  if (tick_ % 2 != 0) update_rotations();
+  ++tick_;
   for (uint32_t remaining = parameters_.substeps; remaining > 0; --remaining) {
     evaluate_forces();
     integrate(input, remaining);

@@ -1,5 +1,5 @@
-// Renews the misfits of all groups, some leaves at a time: what a group would gain from a split changes slowly,
-// and is not asked for while it blends.
+// Renews the misfits of all groups, some leaves at a time: what a group would gain from a split changes
+// slowly, and is not asked for while it blends.
 #pragma once
 
 #include "palpate/elastic/misfit.hpp"
@@ -96,7 +96,7 @@ void renew_misfits(const Forest<Profile>& forest, const RotationFront<Profile>& 
     const Span span = front.leaves[group];
     sweep.resume(front.tet[group], span.count);
     const uint8_t level = forest.level_of(front.tet[group]);
-    new (&sweep.rotation) RotationMatrix(rotation_matrix(groups.used[group]));
+    rotation_matrix(groups.used[group], sweep.rotation);
     const uint32_t rest = static_cast<uint32_t>(span.count) - sweep.leaf_at;
     const uint32_t count = rest < left ? rest : left;
     left -= count;

@@ -54,12 +54,16 @@ struct Tethers {
     tether[at] = tether[count];
   }
 
-  /// A tick of all in which none ends: one in its last tick waits there.
-  void advance() {
+  /// A tick of all in which none ends, and one in its last tick waits there, but that of a node which the
+  /// tool has taken.
+  void advance(uint16_t taken) {
+    uint32_t of_taken = count;
     for (const uint32_t i : bounded<kTethers>(count, [] {})) {
       const uint32_t left = tether[i].ticks_left;
       tether[i].ticks_left = static_cast<uint8_t>(left - (left > 1 ? 1u : 0u));
+      of_taken = tether[i].node == taken ? i : of_taken;
     }
+    if (of_taken < count) remove(of_taken);
   }
 };
 

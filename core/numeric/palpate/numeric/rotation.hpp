@@ -24,7 +24,12 @@ inline Acc<60> dot(const Quaternion& a, const Quaternion& b) {
 }
 
 /// R of a unit quaternion, columns = images of the axes. Error: 1 LSB a entry beyond the quaternion's own.
-RotationMatrix rotation_matrix(const Quaternion& q);
+void rotation_matrix(const Quaternion& q, RotationMatrix& r);
+inline RotationMatrix rotation_matrix(const Quaternion& q) {
+  RotationMatrix r;
+  rotation_matrix(q, r);
+  return r;
+}
 
 /// q becomes q / |q|, for |q|^2 in [0.5, 2), or below by a rounding, as halfway between rotations half a turn
 /// apart. Error: 1 LSB. Cost: one reciprocal root and 8 multiplies.

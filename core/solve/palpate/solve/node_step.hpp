@@ -3,19 +3,11 @@
 
 #include "palpate/mesh/forest.hpp"
 #include "palpate/numeric/high_word.hpp"
+#include "palpate/numeric/opaque.hpp"
 #include "palpate/solve/dynamics.hpp"
 
 namespace palpate {
 namespace integrate_detail {
-
-/// A number that the compiler takes as it comes, so that it multiplies by a power of two in the instruction
-/// that adds, instead of shifting a register pair.
-PALPATE_ALWAYS_INLINE int32_t as_factor(int32_t value) {
-#ifdef PALPATE_TARGET
-  asm("" : "+r"(value));
-#endif
-  return value;
-}
 
 /// sum 2^-Shift, cut off, within a word: the upper half of what is beyond becomes the limit's, so its error
 /// is 2^(Shift - 33) of it. No branch.
@@ -43,8 +35,9 @@ PALPATE_ALWAYS_INLINE Velocity next_velocity(Velocity v, Force f, Impulse impuls
   // Of the drag half an LSB of the velocity is taken, which rounds the sum.
   const Drag drag = multiply_add_high(v, mass_damping, Drag::from_raw(-(1 << (kShift - 1 - kOfDrag))));
   int64_t sum = int64_t{f.raw()} * impulse.raw();
-  sum += int64_t{v.raw()} * as_factor(1 << kShift);
-  sum += int64_t{drag.raw()} * as_factor(-(1 << kOfDrag));
+  // Opaque factors: a multiply that adds does it, instead of a shift of two words and an addition.
+  sum += int64_t{v.raw()} * opaque(1 << kShift);
+  sum += int64_t{drag.raw()} * opaque(-(1 << kOfDrag));
   return Velocity::from_raw(shifted_within<kShift>(sum, clamped));
 }
 

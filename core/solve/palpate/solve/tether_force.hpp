@@ -107,7 +107,7 @@ class TetherForces {
       return int64_t{(*of.force)[a].raw()} * mobility;
     };
     const auto moving = [a](const Node& of, int32_t weight) {
-      return int64_t{(*of.velocity)[a].raw()} * integrate_detail::as_factor(weight);
+      return int64_t{(*of.velocity)[a].raw()} * opaque(weight);
     };
     int64_t sum = int64_t{1} << (kShift - 1);
     sum += kick(node, node.mobility.raw());
@@ -134,14 +134,13 @@ class TetherForces {
   /// u / S, within the limit: the product's words one by one, times 2^room.
   static Force force_for(Velocity u, const Inverse& inverse) {
     constexpr int kShift = Velocity::kFractionBits + 30 - 32 + 4 - Force::kFractionBits;
-    using integrate_detail::as_factor;
     const int64_t product = int64_t{u.raw()} * inverse.mantissa.raw();
     const auto low = static_cast<uint32_t>(product);
     const auto high = static_cast<int32_t>(product >> 32);
     auto sum =
-        static_cast<int64_t>((uint64_t{low} * static_cast<uint32_t>(as_factor(inverse.two_to_room))) >> 32);
+        static_cast<int64_t>((uint64_t{low} * static_cast<uint32_t>(opaque(inverse.two_to_room))) >> 32);
     sum += int64_t{1} << (kShift - 1);
-    sum += int64_t{high} * as_factor(inverse.two_to_room);
+    sum += int64_t{high} * opaque(inverse.two_to_room);
     return Force::from_raw(within_bits<kLimitBits>(integrate_detail::shifted_within<kShift>(sum)));
   }
 

@@ -13,6 +13,12 @@ enum class Slot : uint8_t {
   kRotations,  // of all groups; what the next changes of the front go by
 };
 
+/// A slot that is known at compile time, as an argument.
+template <Slot kSlot>
+struct SlotIs {
+  static constexpr Slot value = kSlot;
+};
+
 inline constexpr uint32_t kScheduleTicks = 4;
 
 /// Rotations have every second tick.

@@ -18,8 +18,6 @@
 // The same state and input give the same bits on every machine.
 #pragma once
 
-#include <type_traits>
-
 #include "palpate/tick/remesh_stage.hpp"
 #include "palpate/tick/schedule.hpp"
 #include "palpate/tick/stage.hpp"
@@ -68,7 +66,7 @@ PALPATE_NOINLINE void remesh(State<Profile>& state) {
   if constexpr (kSlot == Slot::kMesh) {
     change_mesh(state);
   } else {
-    state.tethers.advance();
+    state.tethers.advance(state.driven.node);
     if constexpr (kSlot == Slot::kFront) {
       change_front(state);
       judge_mesh(state);
@@ -159,13 +157,13 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
   // A branch for the whole slot: what a bound adds up is then what one tick can have.
   switch (slot_of(state.tick)) {
     case Slot::kMesh:
-      take(std::integral_constant<Slot, Slot::kMesh>{}, [] {});
+      take(SlotIs<Slot::kMesh>{}, [] {});
       break;
     case Slot::kFront:
-      take(std::integral_constant<Slot, Slot::kFront>{}, [] {});
+      take(SlotIs<Slot::kFront>{}, [] {});
       break;
     case Slot::kRotations:
-      take(std::integral_constant<Slot, Slot::kRotations>{}, [&] { tick_stages::rotations(state); });
+      take(SlotIs<Slot::kRotations>{}, [&] { tick_stages::rotations(state); });
       break;
   }
   stage(CoreStage::kIntegrate, [&] { tick_stages::aim(state, input); });
