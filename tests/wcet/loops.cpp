@@ -50,7 +50,7 @@ std::vector<LoopFigures> measure_loops(const Program& program, const BoundAnalys
   for (size_t i = 0; i < analysis.functions().size(); ++i) {
     const FunctionBound& bound = analysis.functions()[i];
     const double calls = path.functions[i].calls;
-    if (bound.is_open || calls == 0) continue;
+    if (bound.is_open) continue;
     for (size_t j = 0; j < bound.facts.size(); ++j) {
       const LoopFact& fact = bound.facts[j];
       const MarkCounts counts = count_marks(bound, fact);
@@ -65,7 +65,7 @@ std::vector<LoopFigures> measure_loops(const Program& program, const BoundAnalys
   for (auto& [ids, figures] : loops) {
     const auto place = places.find(figures.fact.body);
     if (place != places.end()) figures.place = place->second;
-    if (figures.bodies > 0) list.push_back(figures);
+    list.push_back(figures);
   }
   return list;
 }

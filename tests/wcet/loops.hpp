@@ -16,9 +16,9 @@ struct LoopFigures {
   double per_round = 0;  // what the bound would grow by if the loop's bound were one larger
 };
 
-/// Loops and totals whose bodies the worst path has, as far as they can be named. `per_round` is exact as
-/// long as the worst path stays the same: it comes from the dual values (a fact's multiplier x its entries x
-/// calls of its function).
+/// All loops and totals of functions that have a bound, with zeros for those that the worst path does not
+/// have: with other bounds it may have them. `per_round` is exact as long as the worst path stays the same:
+/// it comes from the dual values (a fact's multiplier x its entries x calls of its function).
 std::vector<LoopFigures> measure_loops(const Program& program, const BoundAnalysis& analysis,
                                        const WorstPath& path);
 

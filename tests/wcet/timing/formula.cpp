@@ -31,7 +31,7 @@ std::optional<double> common_multiple(const BoundsByProfile& bounds, size_t quan
     if (common && *common != multiple) return std::nullopt;
     common = multiple;
   }
-  constexpr std::array<double, 6> kLikely{1, 2, 4, 0.5, 0.25, 0.125};
+  constexpr std::array<double, 8> kLikely{1, 2, 3, 4, 1.5, 0.5, 0.25, 0.125};
   const bool is_likely = common && std::find(kLikely.begin(), kLikely.end(), *common) != kLikely.end();
   return is_likely ? common : std::nullopt;
 }

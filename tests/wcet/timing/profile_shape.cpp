@@ -16,7 +16,8 @@ ProfileShape shape_of(const char* key) {
           Profile::kSubsteps,
           Profile::kMaxLevel,
           {{"leaves", Profile::kLeaves},
-           {"pairs of node and group", Profile::kLeaves + 3u * Profile::kGroups},
+           // Of a group all nodes but the first one.
+           {"pairs of node and group", Profile::kLeaves + 2u * Profile::kGroups},
            {"nodes", Profile::kNodes},
            {"groups", Profile::kGroups},
            {"faces of the surface", 2u * (Profile::kLeaves + kMaxCubes)},

@@ -46,7 +46,7 @@ class MeshGrowth {
   /// Until so many draws in a row did not fit.
   void run() {
     constexpr uint32_t kMostMisses = 60;
-    for (uint32_t misses = 0; misses < kMostMisses; ++misses) {
+    for (uint32_t misses = 0; misses < kMostMisses && forest_.leaf_count < scene_.most_leaves; ++misses) {
       Patch patch{};
       if (draw_patch(patch) && bisect(forest_, patch) == MeshStatus::kDone) misses = 0;
     }

@@ -30,7 +30,8 @@ struct Scene {
   std::array<uint8_t, 3> cubes;
   bool is_apart;         // no two cubes have a face in common
   uint8_t level;         // of all leaves, before the mesh grows
-  bool grows;            // until its pools are full
+  bool grows;            // until its pools are full, or
+  uint16_t most_leaves;  // there are so many or a few more
   bool is_deep;          // it grows where it is finest already
   bool keeps_type1;      // it grows elsewhere than at leaves of the type with the costliest force
   bool has_bars;         // some cubes may not be refined
@@ -66,6 +67,7 @@ inline Scene draw_scene(uint32_t seed) {
   draw_cubes(draw, scene);
   scene.level = static_cast<uint8_t>(draw.below(2));
   scene.grows = true;
+  scene.most_leaves = Profile::kLeaves;
   scene.is_deep = draw.one_in(2);
   scene.keeps_type1 = draw.one_in(2);
   scene.has_bars = draw.one_in(2);

@@ -79,6 +79,7 @@ void run_scene(firmware::Run& run, uint32_t seed) {
 void run_wild(firmware::Run& run, uint32_t seed) {
   Scene scene = draw_scene(seed);
   scene.grows = seed % 4 == 0;
+  if (seed % 8 == 0) scene.most_leaves = static_cast<uint16_t>(Profile::kLeaves / 2 + seed % 64);
   scene.is_crowded = seed % 5 == 0;
   scene.wishes_any = seed % 2 == 0;
   if (seed % 3 != 0) scene.most_groups = static_cast<uint16_t>(seed % Profile::kGroups);

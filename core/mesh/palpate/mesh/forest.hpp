@@ -56,6 +56,7 @@ struct Forest {
   SiblingPairs<kPairs> pairs;
   std::array<Tet, kTets> tet;
 
+  // Even: of a cube there are six roots, and of each cube around an edge two or six tets are split with it.
   uint16_t leaf_count;
   PoolCounters leaf_counters;
   std::array<Leaf, kLeaves> leaf;

@@ -166,7 +166,9 @@ Violation check_totals(const Forest<Profile>& forest, const Block& block) {
     roots += kRootsPerCube;
     expected_mass += uint64_t{kRootsPerCube} * 4 * quarter_mass(0, forest.region_density[block.region[i]]);
   }
-  if (forest.leaf_count != forest.pairs.used() + roots / 2) return Violation::kLeafCount;
+  if (forest.leaf_count != forest.pairs.used() + roots / 2 || forest.leaf_count % 2 != 0) {
+    return Violation::kLeafCount;
+  }
   uint32_t volume = 0;  // in level-15 tets
   std::array<bool, Profile::kNodes> used{};
   for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {

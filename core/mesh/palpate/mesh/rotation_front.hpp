@@ -104,9 +104,8 @@ PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<
   const Leaf* const leaves = opaque(forest.leaf.data());
   uint16_t* const leaf_order = opaque(front.leaf_order.data());
   const auto put = [&](uint32_t place, uint32_t leaf) { leaf_order[place] = static_cast<uint16_t>(leaf); };
-  const uint32_t pairs = forest.leaf_count / 2;
 #pragma GCC unroll 2
-  for (const uint32_t pair : bounded<Profile::kLeaves / 2>(pairs, [] {})) {
+  for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2, [] {})) {
     const uint32_t first = 2 * pair;
     const uint32_t group0 = leaves[first].group;
     const uint32_t group1 = leaves[first + 1].group;
@@ -116,9 +115,6 @@ PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<
     next_of[group1] = place1 + 1;
     put(place0, first);
     put(place1, first + 1);
-  }
-  for (const uint32_t i : bounded<1>(forest.leaf_count % 2, [] {})) {
-    put(next_of[leaves[2 * pairs + i].group], 2 * pairs + i);
   }
 }
 
@@ -134,10 +130,9 @@ PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<P
   const uint16_t* const leaf_order = opaque(front.leaf_order.data());
   uint16_t* const node_order = opaque(front.node_order.data());
   uint32_t end = 0;
-#pragma GCC unroll 4
-  for (const uint32_t i : bounded<Profile::kLeaves>(forest.leaf_count, [] {})) {
+  const auto add_leaf = [&](uint32_t at) {
     // All is loaded before anything is stored.
-    const Leaf& leaf = leaves[leaf_order[i]];
+    const Leaf& leaf = leaves[leaf_order[at]];
     const uint16_t group = leaf.group;
     const uint16_t node0 = leaf.node[0], node1 = leaf.node[1], node2 = leaf.node[2], node3 = leaf.node[3];
     const uint32_t begin = front.leaves[group].begin;
@@ -155,6 +150,11 @@ PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<P
     node_order[at3] = node3;
     front.nodes[group].set_word(behind);
     end = behind;
+  };
+#pragma GCC unroll 2
+  for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2, [] {})) {
+    add_leaf(2 * pair);
+    add_leaf(2 * pair + 1);
   }
   uint32_t begin = 0;
 #pragma GCC unroll 2

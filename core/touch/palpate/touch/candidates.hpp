@@ -136,8 +136,6 @@ uint32_t list_leaves(const Forest<Profile>& forest, Candidates<Profile>& found) 
     list(2 * pair + 1, faces1);
     cut();
   }
-  if (forest.leaf_count % 2 != 0) list(forest.leaf_count - 1u, faces_of(forest.leaf_count - 1u));
-  cut();
   found.listed[count] = 0;
   return count;
 }

@@ -66,8 +66,6 @@ template <class Profile>
     list(2 * pair + 1, beyond1);
     cut();
   }
-  if (forest.leaf_count % 2 != 0) list(forest.leaf_count - 1u, is_beyond(forest.leaf_count - 1u));
-  cut();
   if (count > kMostBoxes) return true;
   bool is_in = false;
   for (const uint32_t i : bounded<kMostBoxes>(count, [] {})) {
