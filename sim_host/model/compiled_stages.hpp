@@ -13,8 +13,9 @@
   keyword template void tick_stages::touch(State<Profile>&, const TickInput&);                            \
   keyword template void tick_stages::remesh<Slot::kMesh>(State<Profile>&);                                \
   keyword template void tick_stages::remesh<Slot::kFront>(State<Profile>&);                               \
-  keyword template void tick_stages::remesh<Slot::kRotations>(State<Profile>&);                           \
-  keyword template void tick_stages::rotations(State<Profile>&);                                          \
+  keyword template void tick_stages::remesh<Slot::kJudgement>(State<Profile>&);                           \
+  keyword template void tick_stages::rotations<true>(State<Profile>&);                                    \
+  keyword template void tick_stages::rotations<false>(State<Profile>&);                                   \
   keyword template void tick_stages::forces<Observe::kYes>(State<Profile>&);                              \
   keyword template void tick_stages::forces<Observe::kNo>(State<Profile>&);                               \
   keyword template void tick_stages::aim(State<Profile>&, const TickInput&);                              \

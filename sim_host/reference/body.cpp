@@ -21,8 +21,7 @@ ReferenceBody::ReferenceBody(const Mesh& mesh, const BodyParameters& parameters,
 
 Vector ReferenceBody::tick(const BodyInput& input) {
   update_grasp(input);
-  if (tick_ % 2 != 0) update_rotations();
-  ++tick_;
+  update_rotations();
   for (uint32_t remaining = parameters_.substeps; remaining > 0; --remaining) {
     evaluate_forces();
     integrate(input, remaining);

@@ -38,7 +38,7 @@ class ReferenceBody {
   /// held: for each node 0 (free), or 1 or 2 (moved by hold_motion[0] or [1]).
   ReferenceBody(const Mesh& mesh, const BodyParameters& parameters, std::vector<uint8_t> held);
 
-  /// 1 ms. As the core, it renews rotations in every second one. Returns the reaction: the elastic force on
+  /// 1 ms. Returns the reaction: the elastic force on
   /// the grasped node in the last substep, N; zero without a grasp.
   Vector tick(const BodyInput& input);
 
@@ -62,7 +62,6 @@ class ReferenceBody {
   std::vector<Vector> velocity_, force_;
   std::vector<Matrix> rotation_;
   std::vector<Matrix> seen_;  // deformation gradients of the last evaluation, which the next rotations are of
-  uint32_t tick_ = 0;
   uint32_t grasped_ = kNobody;
   Vector grasp_offset_ = Vector::Zero();
   bool was_closed_ = false;

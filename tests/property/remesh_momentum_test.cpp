@@ -165,7 +165,7 @@ class Flight {
  private:
   void tick() {
     change_the_mesh();
-    tick_stages::rotations(*state_);
+    tick_stages::rotations<true>(*state_);
     tick_stages::forces<Observe::kYes>(*state_);
     const Vector3d elastic = angular_kick(*state_);
     add_tethers();

@@ -155,9 +155,9 @@ TEST_F(Invariants, FindAMissingVolume) {
   EXPECT_EQ(check_totals(*copy, block_), Violation::kLeafCount) << "odd";
   --copy->leaf_count;
   for (uint32_t i = 0; i < copy->leaf_count; ++i) {
-    const auto other = static_cast<uint16_t>(whole_->parent_of(whole_->leaf[i].tet) >> 1);
-    if (other == pair) continue;
-    copy->pairs.release(other);
+    const uint16_t parent = whole_->parent_of(whole_->leaf[i].tet);
+    if (parent == kNone || parent >> 1 == pair) continue;
+    copy->pairs.release(static_cast<uint16_t>(parent >> 1));
     break;
   }
   EXPECT_EQ(check_totals(*copy, block_), Violation::kVolume);

@@ -26,7 +26,7 @@ class CoreBar final : public Bar {
   }
 
   void evaluate_forces() override {
-    tick_stages::rotations(*state_);
+    tick_stages::rotations<true>(*state_);
     tick_stages::forces<Observe::kYes>(*state_);
   }
 

@@ -186,10 +186,10 @@ class Setup {
     }
   }
 
-  /// As many pairs as a tick can split again. A rotation is extracted for both of them, so that there are
-  /// fewer then.
+  /// As many pairs as a tick can split again. Of a pair one rotation is extracted instead of two, so there
+  /// are none where no tick looks at them.
   void join_groups() {
-    if (scene_.slot == Slot::kRotations) return;
+    if (scene_.slot != Slot::kFront) return;
     auto& front = state_.front;
     uint32_t pairs = 0;
     for (uint32_t i = 0; i < front.groups.used() && pairs < Profile::kRotationChanges; ++i) {

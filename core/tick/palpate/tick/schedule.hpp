@@ -9,8 +9,8 @@ namespace palpate {
 /// What has its turn in a tick.
 enum class Slot : uint8_t {
   kMesh,       // splits and merges
-  kFront,      // groups split and joined; how urgent the next changes of the mesh are
-  kRotations,  // of all groups; what the next changes of the front go by
+  kFront,      // groups split and joined
+  kJudgement,  // what the next turns of both go by: urgencies and misfits
 };
 
 /// A slot that is known at compile time, as an argument.
@@ -21,9 +21,9 @@ struct SlotIs {
 
 inline constexpr uint32_t kScheduleTicks = 4;
 
-/// Rotations have every second tick.
+/// Every second tick judges.
 constexpr Slot slot_of(uint32_t tick) {
-  if (tick % 2 != 0) return Slot::kRotations;
+  if (tick % 2 != 0) return Slot::kJudgement;
   return tick % kScheduleTicks == 0 ? Slot::kMesh : Slot::kFront;
 }
 

@@ -3,9 +3,9 @@
 //   touch      grasp the nearest node, or let go; the held node's target follows the tool; without a grasp
 //              the tool's contact with the surface
 //   remesh     within the profile's budgets: changes of the mesh in one tick of four, of the rotation front
-//              in another one (schedule.hpp)
-//   rotations  in the other two: one extraction step a group, and one blending step; misfits of an eighth of
-//              the leaves
+//              in another one, and in the two between how urgent changes of the mesh are (schedule.hpp)
+//   rotations  one extraction step a group, and one blending step; in every second tick misfits of an eighth
+//              of the leaves
 //   integrate  the driven node and held ends of tethers: how fast they will be moved
 //   forces     corotated forces of all leaves; the last evaluation               } once a
 //              also sees what the next rotations need                            } substep
@@ -67,17 +67,15 @@ PALPATE_NOINLINE void remesh(State<Profile>& state) {
     change_mesh(state);
   } else {
     state.tethers.advance(state.driven.node);
-    if constexpr (kSlot == Slot::kFront) {
-      change_front(state);
-      judge_mesh(state);
-    }
+    if constexpr (kSlot == Slot::kFront) change_front(state);
+    if constexpr (kSlot == Slot::kJudgement) judge_mesh(state);
   }
 }
 
-template <class Profile>
+template <bool Judges, class Profile>
 PALPATE_NOINLINE void rotations(State<Profile>& state) {
   update_rotations(state.front, state.groups);
-  renew_misfits(state.forest, state.front, state.groups, state.misfits);
+  if constexpr (Judges) renew_misfits(state.forest, state.front, state.groups, state.misfits);
 }
 
 template <Observe Mode, class Profile>
@@ -150,20 +148,20 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
     probe.leave(which);
   };
   stage(CoreStage::kTouch, [&] { tick_stages::touch(state, input); });
-  const auto take = [&](auto slot, auto&& rotate) {
+  const auto take = [&](auto slot) {
     stage(CoreStage::kRemesh, [&] { tick_stages::remesh<slot.value>(state); });
-    stage(CoreStage::kRotations, rotate);
+    stage(CoreStage::kRotations, [&] { tick_stages::rotations<slot.value == Slot::kJudgement>(state); });
   };
   // A branch for the whole slot: what a bound adds up is then what one tick can have.
   switch (slot_of(state.tick)) {
     case Slot::kMesh:
-      take(SlotIs<Slot::kMesh>{}, [] {});
+      take(SlotIs<Slot::kMesh>{});
       break;
     case Slot::kFront:
-      take(SlotIs<Slot::kFront>{}, [] {});
+      take(SlotIs<Slot::kFront>{});
       break;
-    case Slot::kRotations:
-      take(SlotIs<Slot::kRotations>{}, [&] { tick_stages::rotations(state); });
+    case Slot::kJudgement:
+      take(SlotIs<Slot::kJudgement>{});
       break;
   }
   stage(CoreStage::kIntegrate, [&] { tick_stages::aim(state, input); });
