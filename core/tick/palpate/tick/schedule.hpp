@@ -14,9 +14,9 @@ enum class Slot : uint8_t {
 };
 
 /// A slot that is known at compile time, as an argument.
-template <Slot kSlot>
+template <Slot Which>
 struct SlotIs {
-  static constexpr Slot value = kSlot;
+  static constexpr Slot kValue = Which;
 };
 
 inline constexpr uint32_t kScheduleTicks = 4;

@@ -61,14 +61,14 @@ PALPATE_NOINLINE void touch(State<Profile>& state, const TickInput& input) {
   state.driven.target = is_eased ? eased(state.driven.target, target) : target;
 }
 
-template <Slot kSlot, class Profile>
+template <Slot Which, class Profile>
 PALPATE_NOINLINE void remesh(State<Profile>& state) {
-  if constexpr (kSlot == Slot::kMesh) {
+  if constexpr (Which == Slot::kMesh) {
     change_mesh(state);
   } else {
     state.tethers.advance(state.driven.node);
-    if constexpr (kSlot == Slot::kFront) change_front(state);
-    if constexpr (kSlot == Slot::kJudgement) judge_mesh(state);
+    if constexpr (Which == Slot::kFront) change_front(state);
+    if constexpr (Which == Slot::kJudgement) judge_mesh(state);
   }
 }
 
@@ -149,8 +149,8 @@ void tick(State<Profile>& state, const TickInput& input, TickOutput& output, Pro
   };
   stage(CoreStage::kTouch, [&] { tick_stages::touch(state, input); });
   const auto take = [&](auto slot) {
-    stage(CoreStage::kRemesh, [&] { tick_stages::remesh<slot.value>(state); });
-    stage(CoreStage::kRotations, [&] { tick_stages::rotations<slot.value == Slot::kJudgement>(state); });
+    stage(CoreStage::kRemesh, [&] { tick_stages::remesh<slot.kValue>(state); });
+    stage(CoreStage::kRotations, [&] { tick_stages::rotations<slot.kValue == Slot::kJudgement>(state); });
   };
   // A branch for the whole slot: what a bound adds up is then what one tick can have.
   switch (slot_of(state.tick)) {
