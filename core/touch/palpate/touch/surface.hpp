@@ -94,8 +94,8 @@ template <class Profile, class Total>
   const auto closest_on = [&](const FaceNodes& node) {
     return closest_on_triangle(position[node[0]], position[node[1]], position[node[2]], x);
   };
-  const uint32_t count = surface_detail::list_within(within, candidates);
-  for (const uint32_t look : looks.take(0, count)) {
+  const uint32_t listed = surface_detail::list_within(within, candidates);
+  for (const uint32_t look : looks.take(0, listed < looks.left() ? listed : looks.left())) {
     const uint32_t i = candidates.listed[look];
     const TrianglePoint closest = closest_on(nodes_of(forest, candidates.face[i]));
     const auto square = square_of(Vector3<Position>(x - closest.point));
