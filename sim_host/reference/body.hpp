@@ -38,8 +38,8 @@ class ReferenceBody {
   /// held: for each node 0 (free), or 1 or 2 (moved by hold_motion[0] or [1]).
   ReferenceBody(const Mesh& mesh, const BodyParameters& parameters, std::vector<uint8_t> held);
 
-  /// 1 ms. Returns the reaction: the elastic force on
-  /// the grasped node in the last substep, N; zero without a grasp.
+  /// 1 ms. Returns the reaction: the elastic force on the grasped node in the last substep, N; zero without a
+  /// grasp.
   Vector tick(const BodyInput& input);
 
   [[nodiscard]] const Positions& position() const { return position_; }

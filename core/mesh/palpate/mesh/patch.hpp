@@ -21,7 +21,7 @@ struct Patch {
   uint16_t blocker;  // with kNotReady: the coarser leaf that must be bisected first
 };
 
-/// How many tets the patches of a tick may have, all together: a total for each loop over them. `Of` tells
+/// How many tets the patches of a turn may have, all together: a total for each loop over them. `Of` tells
 /// totals apart that are made side by side.
 template <uint32_t MostTets, class Of>
 struct PatchTotals {

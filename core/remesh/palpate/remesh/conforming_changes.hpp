@@ -40,7 +40,7 @@ class ConformingChanges {
   }
 
  private:
-  /// Those from `low` to below `end`. False when nothing more can be split in this tick.
+  /// Those from `low` to below `end`. False when nothing more can be split in this turn.
   bool split_ranks(uint32_t low, uint32_t end) {
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
@@ -54,7 +54,7 @@ class ConformingChanges {
     return true;
   }
 
-  /// The patch of a group, or a coarser one in its way. False when nothing more can be split in this tick.
+  /// The patch of a group, or a coarser one in its way. False when nothing more can be split in this turn.
   bool split_around(uint16_t group) {
     FrontPatch patch{};
     uint16_t wanted = group;
@@ -72,7 +72,7 @@ class ConformingChanges {
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const uint16_t group = turn_.first_group(patch.tet[i]);
       if (front_.tet[group] != patch.tet[i]) continue;      // already split
-      if (turn_.rotations.changed_now(group)) return true;  // its lists are stale: next tick
+      if (turn_.rotations.changed_now(group)) return true;  // its lists are stale: next turn
       member[members] = group;
       ++members;
       leaves += front_.leaves[group].count;

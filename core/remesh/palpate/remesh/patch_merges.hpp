@@ -67,7 +67,7 @@ class PatchMerges {
   struct MergesTotal {};
   struct MergeTets {};
   using TetTotals = PatchTotals<Profile::kTetsMerged, MergeTets>;
-  /// What ends in a tick: tethers whose patch is looked at, and patches that are merged.
+  /// What ends in a turn: tethers whose patch is looked at, and patches that are merged.
   struct MergeBudget {
     decltype(bounded_total<2 * Profile::kPatches>(LooksTotal{})) looks;
     decltype(bounded_total<Profile::kPatches>(MergesTotal{})) patches;

@@ -39,7 +39,7 @@ class PatchSplits {
   struct SplitsTotal {};
   struct SplitTets {};
   using TetTotals = PatchTotals<Profile::kTetsSplit, SplitTets>;
-  /// Of a tick: patches that are looked at on the way to those that are ready, and those that are bisected.
+  /// Of a turn: patches that are looked at on the way to those that are ready, and those that are bisected.
   struct SplitBudget {
     decltype(bounded_total<kSteps>(StepsTotal{})) steps;
     decltype(bounded_total<Profile::kPatches>(SplitsTotal{})) patches;

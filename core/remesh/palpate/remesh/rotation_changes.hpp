@@ -34,7 +34,7 @@ class RotationChanges {
     return Profile::kStudyCriteria && has_conforming_front(turn_.rules.criterion);
   }
 
-  /// How many groups a tick looks at for pairs, from pairs_at on.
+  /// How many groups a turn looks at for pairs, from pairs_at on.
   [[nodiscard]] uint32_t pair_slice() const {
     const uint32_t rest = static_cast<uint32_t>(front_.groups.used()) - front_.pairs_at;
     return is_conforming() || rest < kPairSlice ? rest : kPairSlice;
