@@ -63,7 +63,7 @@ inline uint32_t child_towards(const Leaf& leaf, uint8_t level) {
 /// Face (0 .. 3) that a leaf shares with a neighbouring tet.
 inline uint32_t face_towards(const Leaf& leaf, uint16_t tet) {
   const auto is_at = [&](uint32_t face) { return leaf.neighbour[face] == tet ? 1u : 0u; };
-  return is_at(1) + 2 * is_at(2) + 3 * is_at(3);
+  return is_at(1) | 2 * is_at(2) | 3 * is_at(3);
 }
 
 }  // namespace palpate
