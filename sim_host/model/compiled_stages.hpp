@@ -36,6 +36,7 @@ PALPATE_STAGES(extern, CuboidPaper)
 PALPATE_STAGES(extern, CuboidDense)
 PALPATE_STAGES(extern, Organ)
 PALPATE_STAGES(extern, Small)
+PALPATE_STAGES(extern, Tiny)
 PALPATE_STAGES(extern, Workstation)
 
 }  // namespace palpate

@@ -227,7 +227,7 @@ int dispatch(CLI::App& app, int argc, const char* const* argv) {
       ->required();
   record->add_option("--profile", recorded.profile, "profile of its firmware; default cuboid-paper")
       ->option_text("NAME")
-      ->check(CLI::IsMember({"cuboid-paper", "cuboid-dense", "organ", "small"}));
+      ->check(CLI::IsMember({"cuboid-paper", "cuboid-dense", "organ", "small", "tiny"}));
   record->add_option("--out", recorded.out, "file to write; default recording.plp")->option_text("FILE");
   record->add_option("--ticks", recorded.ticks, "when to stop; 0: at Ctrl-C")->option_text("TICKS");
   record->footer("Example: palpate record --port /dev/ttyACM0 --model model.palpate --profile small");

@@ -9,7 +9,7 @@ namespace palpate::recording {
 
 inline bool is_profile(const std::string& name) {
   return name == CuboidPaper::kName || name == CuboidDense::kName || name == Organ::kName ||
-         name == Small::kName || name == Workstation::kName;
+         name == Small::kName || name == Tiny::kName || name == Workstation::kName;
 }
 
 inline uint8_t deepest_level(const std::string& profile) {

@@ -183,7 +183,7 @@ std::vector<Parameter> motion_parameters() {
       with_default(make("ticks", "ticks of 1 ms", {0, kManyTicks}, "when to stop; 0: at the end",
                         PALPATE_FIELD(int, ticks)),
                    "0"),
-      choice("profile", {"cuboid-paper", "cuboid-dense", "organ", "small", "workstation"},
+      choice("profile", {"cuboid-paper", "cuboid-dense", "organ", "small", "tiny", "workstation"},
              "capacities to run with", PALPATE_FIELD(std::string, profile)),
   };
 }

@@ -13,9 +13,10 @@ auto with_profile(const std::string& name, Use&& use) {
   if (name == CuboidDense::kName) return use(CuboidDense{});
   if (name == Organ::kName) return use(Organ{});
   if (name == Small::kName) return use(Small{});
+  if (name == Tiny::kName) return use(Tiny{});
   if (name == Workstation::kName) return use(Workstation{});
   throw BadInput("no profile is called '" + name +
-                 "'; choose cuboid-paper, cuboid-dense, organ, small or workstation");
+                 "'; choose cuboid-paper, cuboid-dense, organ, small, tiny or workstation");
 }
 
 }  // namespace palpate::sim

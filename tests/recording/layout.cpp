@@ -11,6 +11,7 @@ static_assert(layout_fingerprint<CuboidPaper>() == PALPATE_LAYOUT_CUBOID_PAPER);
 static_assert(layout_fingerprint<CuboidDense>() == PALPATE_LAYOUT_CUBOID_DENSE);
 static_assert(layout_fingerprint<Organ>() == PALPATE_LAYOUT_ORGAN);
 static_assert(layout_fingerprint<Small>() == PALPATE_LAYOUT_SMALL);
+static_assert(layout_fingerprint<Tiny>() == PALPATE_LAYOUT_TINY);
 
 }  // namespace palpate::firmware
 
@@ -26,6 +27,7 @@ int main() {
   print("CUBOID_DENSE", palpate::firmware::layout_fingerprint<palpate::CuboidDense>());
   print("ORGAN", palpate::firmware::layout_fingerprint<palpate::Organ>());
   print("SMALL", palpate::firmware::layout_fingerprint<palpate::Small>());
+  print("TINY", palpate::firmware::layout_fingerprint<palpate::Tiny>());
 }
 
 #endif

@@ -108,7 +108,7 @@ TEST(RunFolder, FileAndFlagsAreTheSameKeys) {
 
 TEST(RunFolder, EveryProfileRuns) {
   const TemporaryFolder folder;
-  for (const char* profile : {"cuboid-paper", "cuboid-dense", "organ", "small", "workstation"}) {
+  for (const char* profile : {"cuboid-paper", "cuboid-dense", "organ", "small", "tiny", "workstation"}) {
     const Outcome outcome = run_program(
         folder,
         std::string("hil grasp --ticks 5 --density-kg-m3 1000 --plots off --out run --profile ") + profile);

@@ -66,7 +66,7 @@ class FigureReader {
   Board read_board(const toml::table& row) const {
     const double clock_mhz = row["clock_mhz"].value_or(0.0);
     if (clock_mhz <= 0) refuse("has a board without clock_mhz");
-    return {text(row, "name"), text(row, "core"), clock_mhz, text(row, "devices")};
+    return {text(row, "name"), text(row, "core"), clock_mhz, text(row, "profile"), text(row, "devices")};
   }
 
   std::string path_;

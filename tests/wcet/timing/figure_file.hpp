@@ -38,6 +38,7 @@ struct Board {
   std::string name;
   std::string core;
   double clock_mhz = 0;
+  std::string profile;  // of the board's preset: the one that must fit there
   std::string devices;  // the file of its device registers, beside the figures' folder "devices"
 };
 

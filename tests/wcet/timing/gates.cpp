@@ -49,6 +49,7 @@ class Judge {
     judge_growth("cycles", now.cycles, before.cycles, announced_ ? announced_->cycles : 0);
     judge_growth("instructions", now.instructions, before.instructions,
                  announced_ ? announced_->instructions : 0);
+    judge_boards();
     judge_measurement();
     judge_formula();
     return std::move(findings_);
@@ -78,6 +79,14 @@ class Judge {
                   "instructions",
                   change, timing_.name, timing_.row.core, grouped(timing_.figures.cycles),
                   grouped(timing_.figures.instructions)));
+  }
+
+  void judge_boards() {
+    for (const BoardTiming& board : timing_.boards) {
+      if (board.board.profile == timing_.row.profile && board.slack_us() < 0)
+        say(true, fmt::format("its tick takes {:.0f} us on the board whose preset has it, {}",
+                              board.microseconds(), board.board.name));
+    }
   }
 
   void judge_measurement() {

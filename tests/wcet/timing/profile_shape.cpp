@@ -33,11 +33,12 @@ ProfileShape shape_of(const char* key) {
 const ProfileShape& profile_shape(const std::string& key) {
   static const std::vector<ProfileShape> shapes{shape_of<CuboidDense>("CuboidDense"),
                                                 shape_of<CuboidPaper>("CuboidPaper"),
-                                                shape_of<Organ>("Organ"), shape_of<Small>("Small")};
+                                                shape_of<Organ>("Organ"), shape_of<Small>("Small"),
+                                                shape_of<Tiny>("Tiny")};
   for (const ProfileShape& shape : shapes) {
     if (shape.key == key) return shape;
   }
-  throw BadInput("no target has a profile " + key + "; CuboidDense, CuboidPaper, Organ, Small");
+  throw BadInput("no target has a profile " + key + "; CuboidDense, CuboidPaper, Organ, Small, Tiny");
 }
 
 }  // namespace palpate::wcet::timing

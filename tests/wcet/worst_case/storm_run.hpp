@@ -38,10 +38,16 @@ class StormRun {
   }
 
  private:
+  /// Of three cubes, with leaves left to refine them; at most 4.
+  [[nodiscard]] static constexpr uint32_t deepest_level() {
+    uint32_t level = 1;
+    while (level < 4 && (3 * kRootsPerCube << (level + 1)) < Profile::kLeaves) ++level;
+    return level;
+  }
   [[nodiscard]] firmware::CycleModel model() {
     firmware::CycleModel model = kModel;
     Model& body = model.body;
-    body.level = static_cast<uint8_t>(1 + draw_.below(Profile::kLeaves >= 400 ? 4 : 3));
+    body.level = static_cast<uint8_t>(1 + draw_.below(deepest_level()));
     body.remesh.stretch.criterion = static_cast<StretchCriterion>(1 + seed_ % 2);
     body.remesh.stretch.levels[kBarred].most = body.level;
     body.block.region[1] = kBarred;

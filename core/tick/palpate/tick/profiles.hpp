@@ -83,6 +83,23 @@ struct Small {
   static constexpr bool kStudyCriteria = false;
 };
 
+/// For a Cortex-M4 at 168 MHz.
+struct Tiny {
+  static constexpr const char* kName = "tiny";
+  static constexpr uint16_t kLeaves = 88;
+  static constexpr uint16_t kNodes = 48;
+  static constexpr uint16_t kGroups = 20;
+  static constexpr uint8_t kMaxLevel = 6;
+  static constexpr uint32_t kSubsteps = 1;
+  static constexpr uint32_t kPatches = 1;
+  static constexpr uint32_t kTetsSplit = 8;
+  static constexpr uint32_t kTetsMerged = 8;
+  static constexpr uint32_t kRotationChanges = 4;
+  static constexpr uint16_t kTethers = 8;
+  static constexpr uint32_t kContactCandidates = 8;
+  static constexpr bool kStudyCriteria = false;
+};
+
 /// Host only: deep or large meshes, and full corotation, for studies and tests.
 struct Workstation {
   static constexpr const char* kName = "workstation";

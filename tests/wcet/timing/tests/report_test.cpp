@@ -24,7 +24,7 @@ ProfileTiming make_timing() {
   timing.figures.sections = {{".bss", 3000, 0}};
   timing.figures.pools = {{"state.leaf", "Leaf[]", 2000}};
   timing.figures.stack = {100, 36, 200};
-  timing.boards = {{{"A board", "m4", 168, "x.toml"}, 168, 1'680'168}};
+  timing.boards = {{{"A board", "m4", 168, "Tiny", "x.toml"}, 168, 1'680'168}};
   return timing;
 }
 
@@ -104,7 +104,7 @@ TEST_F(TimingFiles, Measurement) {
 constexpr const char* kFigures =
     "[[profile]]\nprofile = \"Small\"\ncore = \"m4\"\ndesign = { cycles = 168_000 }\n"
     "committed = { instructions = 1, cycles = 2, ram_bytes = 3, tick_code_bytes = 4, stack_bytes = 5 }\n"
-    "# a remark\n[[board]]\nname = \"A\"\ncore = \"m4\"\nclock_mhz = 168\ndevices = \"a.toml\"\n";
+    "# a remark\n[[board]]\nname = \"A\"\ncore = \"m4\"\nclock_mhz = 168\nprofile = \"Tiny\"\ndevices = \"a.toml\"\n";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
