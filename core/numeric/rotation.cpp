@@ -4,22 +4,7 @@
 
 namespace palpate {
 void rotation_matrix(const Quaternion& q, RotationMatrix& r) {
-  const auto [w, x, y, z] = q;
-  const auto twice = [](Acc<60> acc) { return narrow<RotationEntry>(Acc<59>::from_raw(acc.raw())); };
-  const auto pair = [&](Eigen::Index i, Eigen::Index j, Acc<60> even, Acc<60> odd) {
-    r(i, j) = twice(even - odd);
-    r(j, i) = twice(even + odd);
-  };
-  pair(0, 1, x * y, w * z);
-  pair(2, 0, x * z, w * y);
-  pair(1, 2, y * z, w * x);
-  const auto half = widen<60>(RotationEntry::ratio(1, 2));
-  const auto xx = x * x;
-  const auto yy = y * y;
-  const auto zz = z * z;
-  r(0, 0) = twice(half - yy - zz);
-  r(1, 1) = twice(half - xx - zz);
-  r(2, 2) = twice(half - xx - yy);
+  put_rotation_matrix(q, [&r](Eigen::Index i, Eigen::Index j, RotationEntry entry) { r(i, j) = entry; });
 }
 
 void approach(Quaternion& q, const Quaternion& to, RotationEntry fraction) {

@@ -25,25 +25,23 @@ class GroupForces {
     auto others = bounded_total<kOtherNodes>([] {});
     auto leaves = bounded_total<Profile::kLeaves>([] {});
     auto others_back = bounded_total<kOtherNodes>([] {});
-    ClampFlag clamped;
+    clamped_ = ClampFlag();
     uint32_t clamped_groups = 0;
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
       const Span span = front_.nodes[group];
       check(0 < span.count && span.count <= frame_.node.size(),
             "a group has no node, or more than a root can have");
-      group_frame_detail::set_frame(groups_.used[group], frame_.rotation);
-      (void)clamped.take();
       const uint16_t* const node = front_.node_order.data() + span.begin;
-      enter_frame(at, node, others.take(node + 1, span.count - 1u), clamped);
+      enter_frame<decltype(others)>(at, groups_.used[group], node, others.grant(span.count - 1u));
       const Span own = front_.leaves[group];
       if constexpr (Mode == Observe::kYes) {
-        observe_leaves(group, leaves.take(front_.leaf_order.data() + own.begin, own.count), clamped);
+        observe_leaves(group, leaves.take(front_.leaf_order.data() + own.begin, own.count));
       } else {
-        add_leaves(leaves.take(front_.leaf_order.data() + own.begin, own.count), clamped);
+        add_leaves(leaves.take(front_.leaf_order.data() + own.begin, own.count));
       }
-      clamped_groups += clamped.take() ? 1u : 0u;
-      leave_frame(node[0], others_back.take(node + 1, span.count - 1u));
+      clamped_groups += clamped_.take() ? 1u : 0u;
+      leave_frame<decltype(others_back)>(node, others_back.grant(span.count - 1u));
     }
     return clamped_groups;
   }
@@ -93,13 +91,19 @@ class GroupForces {
     }
   }
 
-  /// Positions of a group's nodes in its frame, and their marks. `others`: all but the first.
-  template <class Range>
-  PALPATE_ALWAYS_INLINE void enter_frame(const std::array<Vector3<Position>, Profile::kNodes>& at,
-                                         const uint16_t* first, Range others, ClampFlag& clamped) {
+  /// The frame of a group that is turned by q, positions of the group's nodes in it, and their marks. A
+  /// function of its own, as leave_frame: the loop over leaves needs all registers. `count`: without the
+  /// first.
+  template <class Total>
+  PALPATE_NOINLINE void enter_frame(const std::array<Vector3<Position>, Profile::kNodes>& at,
+                                    const Quaternion& q, const uint16_t* first, uint32_t count) {
+    group_frame_detail::set_frame(q, frame_.rotation);
+    (void)clamped_.take();
+    const typename Total::template Range<const uint16_t*> others(first + 1, count);
     const Vector3<Position>& origin = at[*first];
     const group_frame_detail::Place twice{opaque(2 * origin[0].raw()), opaque(2 * origin[1].raw()),
                                           opaque(2 * origin[2].raw())};
+    const Matrix3<FrameEntry>& rotation = *opaque(&frame_.rotation);
     Node* place = frame_.node.data();
     *place = {zero_vector<Position>(), zero_vector<FrameForce>()};
     front_.mark[*first] = 0;
@@ -107,7 +111,7 @@ class GroupForces {
     for (const uint16_t* node : others) {
       ++place;
       mark += sizeof(Node);
-      *place = {group_frame_detail::into_frame(frame_.rotation, at[*node], twice, clamped),
+      *place = {group_frame_detail::into_frame(rotation, at[*node], twice, clamped_),
                 zero_vector<FrameForce>()};
       front_.mark[*node] = mark;
     }
@@ -115,15 +119,15 @@ class GroupForces {
 
   /// Forces of a group's leaves, which `range` goes through, into frame_.
   template <class Range>
-  PALPATE_ALWAYS_INLINE void add_leaves(Range range, ClampFlag& clamped) {
+  PALPATE_ALWAYS_INLINE void add_leaves(Range range) {
     const Tables in(*this);
     for (const uint16_t* place : range) {
-      add_leaf(in, in.leaf[*place], SeesNothing{}, clamped);
+      add_leaf(in, in.leaf[*place], SeesNothing{}, clamped_);
     }
   }
   /// And their mean gradient.
   template <class Range>
-  PALPATE_ALWAYS_INLINE void observe_leaves(uint16_t group, Range range, ClampFlag& clamped) {
+  PALPATE_ALWAYS_INLINE void observe_leaves(uint16_t group, Range range) {
     const uint8_t group_level = forest_.level_of(front_.tet[group]);
     const Vector3<Strain> none = zero_vector<Strain>();
     frame_.gradient.template topRows<3>() << none, none, none;
@@ -131,7 +135,7 @@ class GroupForces {
     for (const uint16_t* place : range) {
       const Leaf& leaf = in.leaf[*place];
       const auto depth = static_cast<uint32_t>(leaf.level() - group_level);
-      add_leaf(in, leaf, AddsGradient{depth, frame_.gradient}, clamped);
+      add_leaf(in, leaf, AddsGradient{depth, frame_.gradient}, clamped_);
     }
     set_gradient(group);
   }
@@ -209,28 +213,42 @@ class GroupForces {
       auto& n3 = in.in_frame(leaf.node[3]);
       LeafForce<Level> force(leaf.axes());
       force.gather(n0.position, n1.position, n2.position, n3.position, clamped);
+      force.set_stresses(in.material[leaf.region()], clamped);
       see(force);
-      force.scatter(in.material[leaf.region()], n0.force, n1.force, n2.force, n3.force, clamped);
+      force.scatter(n0.force, n1.force, n2.force, n3.force, clamped);
     }
   }
 
   /// Rotates the sums back. They sum to zero, so the first node's is what the others leave, and so are the
   /// roundings.
-  template <class Range>
-  PALPATE_ALWAYS_INLINE void leave_frame(uint16_t first, Range others) {
-    Vector3<Force> net = zero_vector<Force>();
+  template <class Total>
+  PALPATE_NOINLINE void leave_frame(const uint16_t* first, uint32_t count) {
+    const typename Total::template Range<const uint16_t*> others(first + 1, count);
+    Vector3<Force>* const sums = opaque(forest_.node.force.data());
+    const Matrix3<FrameEntry>& rotation = *opaque(&frame_.rotation);
     const Node* place = frame_.node.data();
+    Force x = Force::from_raw(0), y = x, z = x;
     for (const uint16_t* node : others) {
       ++place;
-      Vector3<Force>& sum = forest_.node.force[*node];
-      const Force x = sum[0];  // all of it before any is stored: a load may have to wait for a store
-      const Force y = sum[1];
-      const Force z = sum[2];
-      const Vector3<Force> force = group_frame_detail::out_of_frame(frame_.rotation, place->force);
-      sum = Vector3<Force>(x + force[0], y + force[1], z + force[2]);
-      net += force;
+      Vector3<Force>& sum = sums[*node];
+      const Vector3<Force> force = group_frame_detail::out_of_frame(rotation, place->force);
+      const Force sum_x = sum[0] + force[0];
+      const Force sum_y = sum[1] + force[1];
+      const Force sum_z = sum[2] + force[2];
+      x += force[0];
+      y += force[1];
+      z += force[2];
+      end_of_loads();
+      sum[0] = sum_x;
+      sum[1] = sum_y;
+      sum[2] = sum_z;
     }
-    forest_.node.force[first] -= net;
+    Vector3<Force>& sum = sums[*first];
+    const Force sum_x = sum[0] - x, sum_y = sum[1] - y, sum_z = sum[2] - z;
+    end_of_loads();
+    sum[0] = sum_x;
+    sum[1] = sum_y;
+    sum[2] = sum_z;
   }
 
   Forest<Profile>& forest_;
@@ -238,6 +256,7 @@ class GroupForces {
   Groups<Profile>& groups_;
   const Materials& materials_;
   GroupFrame<Profile>& frame_;
+  ClampFlag clamped_;
 };
 
 }  // namespace palpate

@@ -28,14 +28,10 @@ struct GroupFrame {
 namespace group_frame_detail {
 
 /// An entry of 1 becomes the largest one below it, which no ClampFlag may take for its own.
-PALPATE_NOINLINE inline void set_frame(const Quaternion& q, Matrix3<FrameEntry>& frame) {
-  const RotationMatrix r = rotation_matrix(q);
-  const int32_t xx = r(0, 0).raw(), xy = r(0, 1).raw(), xz = r(0, 2).raw();
-  const int32_t yx = r(1, 0).raw(), yy = r(1, 1).raw(), yz = r(1, 2).raw();
-  const int32_t zx = r(2, 0).raw(), zy = r(2, 1).raw(), zz = r(2, 2).raw();
-  end_of_loads();
-  const auto entry = [](int32_t raw) { return FrameEntry::from_raw(2 * within_bits<31>(raw)); };
-  frame << entry(xx), entry(xy), entry(xz), entry(yx), entry(yy), entry(yz), entry(zx), entry(zy), entry(zz);
+PALPATE_ALWAYS_INLINE void set_frame(const Quaternion& q, Matrix3<FrameEntry>& frame) {
+  put_rotation_matrix(q, [&](Eigen::Index i, Eigen::Index j, RotationEntry entry) {
+    frame(i, j) = FrameEntry::from_raw(2 * within_bits<31>(entry.raw()));
+  });
 }
 
 /// Three variables, raw: a vector would lie on the stack.

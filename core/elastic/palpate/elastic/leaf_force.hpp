@@ -60,13 +60,18 @@ class LeafForce {
     add_row<2>(weights, mean);
   }
 
+  /// Looks the material up: before the gradient is stored, for which a load would have to wait.
+  PALPATE_ALWAYS_INLINE void set_stresses(const Material& material, ClampFlag& clamped) {
+    stresses_ = stresses(material, clamped);
+  }
+
   /// Adds the nodal forces, from t_jk, component axis j of the force that pulls at g_k. 7 multiplies beside
   /// those by signs.
-  PALPATE_ALWAYS_INLINE void scatter(const Material& material, Vector3<FrameForce>& f0,
-                                     Vector3<FrameForce>& f1, Vector3<FrameForce>& f2,
-                                     Vector3<FrameForce>& f3, ClampFlag& clamped) const {
+  PALPATE_ALWAYS_INLINE void scatter(Vector3<FrameForce>& f0, Vector3<FrameForce>& f1,
+                                     Vector3<FrameForce>& f2, Vector3<FrameForce>& f3,
+                                     ClampFlag& clamped) const {
     FrameForce t[3][3];
-    const Stresses of = stresses(material, clamped);
+    const Stresses of = stresses_;
     const auto normal = [&](int j) {
       t[j][j] = clamped.clamp<kForceBits>(
           multiply_add_high(of.twice_mu, rows_.c[j][j], times(rows_.sign[j], of.at_no_stretch)));
@@ -201,6 +206,7 @@ class LeafForce {
   }
 
   LeafRows rows_;
+  Stresses stresses_;
 };
 
 }  // namespace palpate

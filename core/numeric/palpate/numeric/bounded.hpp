@@ -108,8 +108,7 @@ class BoundedTotal {
     return Range<Element*>(first, grant(count));
   }
   [[nodiscard]] constexpr uint32_t left() const { return left_; }
-
- private:
+  /// What take would grant, for a range that is made elsewhere.
   [[nodiscard]] constexpr uint32_t grant(uint32_t count) {
     check(count <= left_, "nested loops were asked for more than their total");
     const uint32_t granted = count < left_ ? count : left_;
@@ -117,6 +116,7 @@ class BoundedTotal {
     return granted;
   }
 
+ private:
   uint32_t left_;
 };
 

@@ -23,7 +23,28 @@ inline Acc<60> dot(const Quaternion& a, const Quaternion& b) {
   return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// R of a unit quaternion, columns = images of the axes. Error: 1 LSB a entry beyond the quaternion's own.
+/// `put(i, j, R_ij)` for each entry of R of a unit quaternion, columns = images of the axes. Error: 1 LSB a
+/// entry beyond the quaternion's own.
+template <class Put>
+PALPATE_ALWAYS_INLINE void put_rotation_matrix(const Quaternion& q, Put put) {
+  const RotationEntry w = q.w, x = q.x, y = q.y, z = q.z;  // not a copy of q, which would lie on the stack
+  const auto twice = [](Acc<60> acc) { return narrow<RotationEntry>(Acc<59>::from_raw(acc.raw())); };
+  const auto pair = [&](Eigen::Index i, Eigen::Index j, Acc<60> even, Acc<60> odd) {
+    put(i, j, twice(even - odd));
+    put(j, i, twice(even + odd));
+  };
+  pair(0, 1, x * y, w * z);
+  pair(2, 0, x * z, w * y);
+  pair(1, 2, y * z, w * x);
+  const auto half = widen<60>(RotationEntry::ratio(1, 2));
+  const auto xx = x * x;
+  const auto yy = y * y;
+  const auto zz = z * z;
+  put(0, 0, twice(half - yy - zz));
+  put(1, 1, twice(half - xx - zz));
+  put(2, 2, twice(half - xx - yy));
+}
+
 void rotation_matrix(const Quaternion& q, RotationMatrix& r);
 inline RotationMatrix rotation_matrix(const Quaternion& q) {
   RotationMatrix r;
