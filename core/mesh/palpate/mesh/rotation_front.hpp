@@ -93,7 +93,8 @@ PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<
 #pragma GCC unroll 2
   for (const uint32_t pair : bounded<Profile::kGroups / 2>(used / 2, [] {})) {
     const uint16_t group0 = front.groups.live(2 * pair), group1 = front.groups.live(2 * pair + 1);
-    const uint32_t count0 = front.leaves[group0].count, count1 = front.leaves[group1].count;
+    uint32_t count0 = front.leaves[group0].count, count1 = front.leaves[group1].count;
+    have_both(count0, count1);
     start(group0, count0);
     start(group1, count1);
   }
@@ -130,9 +131,9 @@ PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<P
   const uint16_t* const leaf_order = opaque(front.leaf_order.data());
   uint16_t* const node_order = opaque(front.node_order.data());
   uint32_t end = 0;
-  const auto add_leaf = [&](uint32_t at) {
+  const auto add_leaf = [&](uint32_t place) {
     // All is loaded before anything is stored.
-    const Leaf& leaf = leaves[leaf_order[at]];
+    const Leaf& leaf = leaves[place];
     const uint16_t group = leaf.group;
     const uint16_t node0 = leaf.node[0], node1 = leaf.node[1], node2 = leaf.node[2], node3 = leaf.node[3];
     const uint32_t begin = front.leaves[group].begin;
@@ -153,8 +154,9 @@ PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<P
   };
 #pragma GCC unroll 2
   for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2, [] {})) {
-    add_leaf(2 * pair);
-    add_leaf(2 * pair + 1);
+    uint32_t place0 = leaf_order[2 * pair], place1 = leaf_order[2 * pair + 1];
+    add_leaf(place0);
+    add_leaf(place1);
   }
   uint32_t begin = 0;
 #pragma GCC unroll 2
