@@ -271,8 +271,7 @@ void join_groups(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_
                  Total& steps) {
   const Span span = front.leaves[gone];
   by_twos(
-      forest, front, span, steps,
-      [group](Leaf& leaf0, Leaf& leaf1) { leaf0.group = leaf1.group = group; },
+      forest, front, span, steps, [group](Leaf& leaf0, Leaf& leaf1) { leaf0.group = leaf1.group = group; },
       [group](Leaf& leaf) { leaf.group = group; });
   front.leaves[group].count = static_cast<uint16_t>(front.leaves[group].count + span.count);
   front.tet[group] = forest.parent_of(front.tet[group]);
