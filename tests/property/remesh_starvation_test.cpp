@@ -54,7 +54,7 @@ struct IdleTurns {
     const bool split = state.remesh.bisected != bisected;
     bisected = state.remesh.bisected;
     waiting += state.remesh.leaves_waiting > 0 ? 1u : 0u;
-    const bool idle = !split && (state.waiting & kFull) == 0 && could_split(state);
+    const bool idle = !split && (state.waiting.mesh & kFull) == 0 && could_split(state);
     in_a_row = idle ? in_a_row + 1 : 0;
     most_in_a_row = std::max(most_in_a_row, in_a_row);
     all += idle ? 1u : 0u;

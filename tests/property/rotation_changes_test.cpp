@@ -132,7 +132,7 @@ TEST(RotationChanges, TheWorstGroupIsSplitFirst) {
   EXPECT_EQ(state->remesh.groups_split, 2u);
   EXPECT_EQ(state->front.tet[worst], state->forest.child(tet, 0));
   EXPECT_EQ(state->remesh.groups_waiting, 16);
-  EXPECT_EQ(state->waiting, static_cast<uint32_t>(RemeshFlag::kRotationBudget));
+  EXPECT_EQ(state->waiting.all(), static_cast<uint32_t>(RemeshFlag::kRotationBudget));
 }
 
 struct OneMoreGroup : Ample {
@@ -145,7 +145,7 @@ TEST(RotationChanges, TheWorstGroupGetsTheLastFreeOne) {
   change_fronts(*state);
   EXPECT_EQ(state->remesh.groups_split, 1u);
   EXPECT_EQ(state->front.tet[worst], state->forest.child(tet, 0));
-  EXPECT_EQ(state->waiting, static_cast<uint32_t>(RemeshFlag::kGroups));
+  EXPECT_EQ(state->waiting.all(), static_cast<uint32_t>(RemeshFlag::kGroups));
 }
 
 /// All that fit are split, and no flag says otherwise, when the budget is just enough.
@@ -158,7 +158,7 @@ TEST(RotationChanges, ABudgetThatIsJustEnoughIsNotNamed) {
   change_fronts(*state);
   EXPECT_EQ(state->remesh.groups_split, 18u);
   EXPECT_EQ(state->remesh.groups_waiting, 0);
-  EXPECT_EQ(state->waiting, 0u);
+  EXPECT_EQ(state->waiting.all(), 0u);
 }
 
 /// A tick looks at a slice of the front for pairs, and in kPairTurns at all of it.

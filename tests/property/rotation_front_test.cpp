@@ -133,8 +133,8 @@ TEST(RotationFront, JoiningUndoesSplitting) {
 TEST(RotationFront, ANewGroupKnowsHowManyLeavesItHas) {
   MeshWithFront<FrontProfile> mesh = mesh_with_front<FrontProfile>(bar_block(), 3, 1);
   ASSERT_TRUE(join_and_index(*mesh.forest, *mesh.front, 0));
-  auto leaves = bounded_total<FrontProfile::kLeaves>([] {});
-  const uint16_t added = split_group(*mesh.forest, *mesh.front, 2, leaves);
+  auto steps = bounded_total<FrontProfile::kLeaves>([] {});
+  const uint16_t added = split_group(*mesh.forest, *mesh.front, 2, steps);
   ASSERT_NE(added, kNone);
   const auto leaves_of = [&](uint16_t group) {
     uint32_t count = 0;

@@ -29,8 +29,8 @@ MeshWithFront<Profile> mesh_with_front(const Block& block, uint8_t leaf_level, u
 template <class Profile>
 uint16_t split_and_index(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_t group) {
   if (forest.tet[front.tet[group]].is_leaf()) return kNone;
-  auto leaves = bounded_total<Profile::kLeaves>([] {});
-  const uint16_t added = split_group(forest, front, group, leaves);
+  auto steps = bounded_total<Profile::kLeaves>([] {});
+  const uint16_t added = split_group(forest, front, group, steps);
   if (added != kNone) index_groups(forest, front);
   return added;
 }
@@ -49,8 +49,8 @@ template <class Profile>
 bool join_and_index(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_t group) {
   const uint16_t gone = sibling_group(forest, front, group);
   if (gone == kNone) return false;
-  auto leaves = bounded_total<Profile::kLeaves>([] {});
-  join_groups(forest, front, group, gone, leaves);
+  auto steps = bounded_total<Profile::kLeaves>([] {});
+  join_groups(forest, front, group, gone, steps);
   index_groups(forest, front);
   return true;
 }

@@ -54,12 +54,14 @@ bool conforms(const Forest<Profile>& forest, const RotationFront<Profile>& front
   return true;
 }
 
-/// Both fronts' turns, and how urgent the mesh's changes are before its own.
+/// Both fronts' turns, and what comes before and after the mesh's.
 template <class Profile>
 void change_fronts(State<Profile>& state) {
   change_front(state);
   judge_mesh(state);
+  choose_for_mesh(state);
   change_mesh(state);
+  draw_for_mesh(state);
 }
 
 /// Whether the tick before was the mesh's turn.

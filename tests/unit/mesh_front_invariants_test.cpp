@@ -175,8 +175,8 @@ TEST_F(FrontInvariants, FindListsThatLeaveAGap) {
 TEST_F(FrontInvariants, FindStaleLists) {
   const uint16_t group = any_group(false);
   EXPECT_NE(after([=](TestForest& m, TestFront& f) {
-              auto leaves = bounded_total<InvariantsProfile::kLeaves>([] {});
-              (void)split_group(m, f, group, leaves);
+              auto steps = bounded_total<InvariantsProfile::kLeaves>([] {});
+              (void)split_group(m, f, group, steps);
             }),
             FrontViolation::kNothing);
 }

@@ -17,6 +17,7 @@ class MostUrgentLeaves : public testing::Test {
   MostUrgentLeaves() {
     EXPECT_EQ(refine_uniformly(*forest_, 3), MeshStatus::kDone);
     urgencies_->clear();
+    wanted_.clear();
   }
   uint8_t& urgency(uint32_t leaf) { return urgencies_->of[leaf]; }
 

@@ -106,8 +106,8 @@ inline void split_groups(CoreState& state, const Scene& scene, Draw& draw) {
   for (uint32_t misses = 0; misses < kMostMisses && front.groups.used() < scene.most_groups; ++misses) {
     const uint16_t group = draw_group(state, scene.front, draw);
     if (group == kNone) continue;
-    auto leaves = bounded_total<Profile::kLeaves>([] {});
-    if (split_group(state.forest, front, group, leaves) == kNone) return;
+    auto steps = bounded_total<Profile::kLeaves>([] {});
+    if (split_group(state.forest, front, group, steps) == kNone) return;
     count_and_index_groups(state.forest, front);
     misses = 0;
   }

@@ -19,10 +19,13 @@ class MeshWishes {
     want_all_leaves();
     add_ending_tethers();
     const uint32_t merges = calm_ending();
-    add_tethers(scene_.wishes_any ? Profile::kTethers : Profile::kTethers + merges - Profile::kPatches);
+    // Those of merges make room in the turn of the mesh for the patches that are split.
+    const uint32_t freed = scene_.slot == Slot::kMesh ? merges : 0;
+    add_tethers(scene_.wishes_any ? Profile::kTethers : Profile::kTethers + freed - Profile::kPatches);
     calm_others();
     want_worst_patches();
     meet_worst_last();
+    if (scene_.slot == Slot::kMesh) choose_most_urgent();
   }
 
  private:
@@ -78,7 +81,7 @@ class MeshWishes {
     }
     ending_ = state_.tethers.count;
   }
-  /// With room left for the middle nodes of the patches that will be split.
+  /// With room left for the middle nodes of the patches that will be split or drawn.
   void add_tethers(uint32_t most) {
     const uint32_t start = draw_.below(forest_.leaf_count);
     for (uint32_t i = 0; i < forest_.leaf_count && state_.tethers.count < most; ++i) {
@@ -119,6 +122,12 @@ class MeshWishes {
         of = static_cast<uint8_t>(Urgency::kWanted + offers++);
       }
     }
+  }
+  /// As the tick before would have.
+  void choose_most_urgent() {
+    Urgencies<Profile>& urgencies = state_.urgencies;
+    const auto is_blocked = [this](const Leaf& leaf) { return is_tethered(refinement_edge(leaf)) ? 1u : 0u; };
+    urgencies.waiting = find_most_urgent(forest_, urgencies, is_blocked, urgencies.chosen);
   }
   /// Half of the patches whose tethers end may be merged, as far as the budget goes. Returns how many.
   uint32_t calm_ending() {

@@ -62,9 +62,9 @@ void set_up(firmware::Run& run, const Scene& scene) {
   firmware::give_up();
 }
 
-/// For each slot of the schedule its worst tick, and one that goes on with what it left.
+/// For each tick of the schedule its worst one, and one that goes on with what it left.
 void run_scene(firmware::Run& run, uint32_t seed) {
-  for (uint32_t first = 0; first < 3; ++first) {
+  for (uint32_t first = 0; first < kScheduleTicks; ++first) {
     Scene scene = draw_scene(seed);
     scene.slot = slot_of(first);
     set_up(run, scene);

@@ -93,7 +93,8 @@ PALPATE_NOINLINE void index_leaves(const Forest<Profile>& forest, RotationFront<
 #pragma GCC unroll 2
   for (const uint32_t pair : bounded<Profile::kGroups / 2>(used / 2, [] {})) {
     const uint16_t group0 = front.groups.live(2 * pair), group1 = front.groups.live(2 * pair + 1);
-    const uint32_t count0 = front.leaves[group0].count, count1 = front.leaves[group1].count;
+    uint32_t count0 = front.leaves[group0].count, count1 = front.leaves[group1].count;
+    have_both(count0, count1);
     start(group0, count0);
     start(group1, count1);
   }
@@ -130,9 +131,9 @@ PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<P
   const uint16_t* const leaf_order = opaque(front.leaf_order.data());
   uint16_t* const node_order = opaque(front.node_order.data());
   uint32_t end = 0;
-  const auto add_leaf = [&](uint32_t at) {
+  const auto add_leaf = [&](uint32_t place) {
     // All is loaded before anything is stored.
-    const Leaf& leaf = leaves[leaf_order[at]];
+    const Leaf& leaf = leaves[place];
     const uint16_t group = leaf.group;
     const uint16_t node0 = leaf.node[0], node1 = leaf.node[1], node2 = leaf.node[2], node3 = leaf.node[3];
     const uint32_t begin = front.leaves[group].begin;
@@ -153,8 +154,10 @@ PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<P
   };
 #pragma GCC unroll 2
   for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2, [] {})) {
-    add_leaf(2 * pair);
-    add_leaf(2 * pair + 1);
+    uint32_t place0 = leaf_order[2 * pair], place1 = leaf_order[2 * pair + 1];
+    have_both(place0, place1);
+    add_leaf(place0);
+    add_leaf(place1);
   }
   uint32_t begin = 0;
 #pragma GCC unroll 2
@@ -209,13 +212,31 @@ template <class Profile>
   return true;
 }
 
+/// Steps that go through so many leaves of a group, two in each.
+constexpr uint32_t steps_by_twos(uint32_t leaves) { return (leaves + 1) / 2; }
+
+/// All leaves of a list: two at a time, so that a load waits for half of the stores, and one that is left.
+/// `steps` is a BoundedTotal.
+template <class Profile, class Total, class Two, class One>
+PALPATE_ALWAYS_INLINE void by_twos(Forest<Profile>& forest, const RotationFront<Profile>& front, Span list,
+                                   Total& steps, Two two, One one) {
+  Leaf* const leaves = opaque(forest.leaf.data());
+  const uint16_t* const order = opaque(front.leaf_order.data() + list.begin);
+  for (const uint32_t pair : steps.take(0, list.count / 2u)) {
+    two(leaves[order[2 * pair]], leaves[order[2 * pair + 1]]);
+  }
+  for ([[maybe_unused]] const uint32_t once : steps.take(0, list.count % 2u)) {
+    one(leaves[order[list.count - 1u]]);
+  }
+}
+
 /// Puts the children of a group's tet, which must not be a leaf, on the front in its place: the group keeps
 /// child 0, a new one, which is returned, takes child 1. kNone, and nothing changed, when all groups are in
-/// use. `leaves` is a BoundedTotal that has the group's leaves left. Until index_groups the lists are the old
-/// ones, but the numbers of leaves are those that they will have.
+/// use. `steps` is a BoundedTotal that has steps_by_twos of the group's leaves left. Until index_groups the
+/// lists are the old ones, but the numbers of leaves are those that they will have.
 template <class Profile, class Total>
 [[nodiscard]] uint16_t split_group(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_t group,
-                                   Total& leaves) {
+                                   Total& steps) {
   const uint16_t added = front.groups.allocate();
   if (added == kNone) return kNone;
   const uint16_t tet = front.tet[group];
@@ -225,16 +246,20 @@ template <class Profile, class Total>
   const uint8_t level = forest.level_of(tet);
   const Span span = front.leaves[group];
   const uint32_t difference = uint32_t{added} - group;
-  Leaf* const leaf_at = opaque(forest.leaf.data());
-  const uint16_t* const leaf_order = opaque(front.leaf_order.data());
   uint32_t moved = 0;
-#pragma GCC unroll 4
-  for (const uint32_t at : leaves.take(span.begin, span.count)) {
-    Leaf& leaf = leaf_at[leaf_order[at]];
-    const uint32_t towards = child_towards(leaf, level);
+  const auto move = [&](Leaf& leaf, uint32_t towards) {
     leaf.group = static_cast<uint16_t>(group + towards * difference);
     moved += towards;
-  }
+  };
+  by_twos(
+      forest, front, span, steps,
+      [&](Leaf& leaf0, Leaf& leaf1) {
+        uint32_t towards0 = child_towards(leaf0, level), towards1 = child_towards(leaf1, level);
+        have_both(towards0, towards1);
+        move(leaf0, towards0);
+        move(leaf1, towards1);
+      },
+      [&](Leaf& leaf) { move(leaf, child_towards(leaf, level)); });
   front.leaves[group].count = static_cast<uint16_t>(span.count - moved);
   front.leaves[added].count = static_cast<uint16_t>(moved);
   return added;
@@ -243,11 +268,11 @@ template <class Profile, class Total>
 /// The inverse: `group` and `gone`, whose tets are siblings, become one on their parent, which keeps `group`.
 template <class Profile, class Total>
 void join_groups(Forest<Profile>& forest, RotationFront<Profile>& front, uint16_t group, uint16_t gone,
-                 Total& leaves) {
+                 Total& steps) {
   const Span span = front.leaves[gone];
-  for (const uint32_t at : leaves.take(span.begin, span.count)) {
-    forest.leaf[front.leaf_order[at]].group = group;
-  }
+  by_twos(
+      forest, front, span, steps, [group](Leaf& leaf0, Leaf& leaf1) { leaf0.group = leaf1.group = group; },
+      [group](Leaf& leaf) { leaf.group = group; });
   front.leaves[group].count = static_cast<uint16_t>(front.leaves[group].count + span.count);
   front.tet[group] = forest.parent_of(front.tet[group]);
   front.partner[group] = kNone;

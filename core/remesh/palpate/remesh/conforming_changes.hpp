@@ -68,17 +68,17 @@ class ConformingChanges {
   bool split_patch(const FrontPatch& patch) {
     std::array<uint16_t, kMaxPatch> member;
     uint32_t members = 0;
-    uint32_t leaves = 0;
+    uint32_t steps = 0;
     for (const uint32_t i : bounded<kMaxPatch>(patch.count, [] {})) {
       const uint16_t group = turn_.first_group(patch.tet[i]);
       if (front_.tet[group] != patch.tet[i]) continue;      // already split
       if (turn_.rotations.changed_now(group)) return true;  // its lists are stale: next turn
       member[members] = group;
       ++members;
-      leaves += front_.leaves[group].count;
+      steps += turn_.steps_of(group);
     }
     if (members > turn_.begun.left()) return turn_.refuse(RemeshFlag::kRotationBudget);
-    if (leaves > turn_.leaves.left()) return false;
+    if (steps > turn_.steps.left()) return false;
     if (!front_.groups.has_room(members)) return turn_.refuse(RemeshFlag::kGroups);
     for (const uint32_t i : bounded<kMaxPatch>(members, [] {})) {
       if (front_.partner[member[i]] != kNone) part_patch(forest_.parent_of(front_.tet[member[i]]));

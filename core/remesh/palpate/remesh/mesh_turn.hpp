@@ -1,5 +1,5 @@
 // What the changes of a turn of the simulation front have in common: what they work on, and what came of it.
-// mesh_changes.hpp has the turn.
+// mesh_changes.hpp has the turns.
 //
 // `Body` is what the solver knows and does; a struct with
 //   bool is_free(node)                                       nothing else moves it

@@ -1,4 +1,4 @@
-// The splits of a turn of the mesh. The most urgent leaves are split, each with its whole patch, coarser
+// The splits of the mesh. The most urgent leaves are split, each with its whole patch, coarser
 // patches first; a leaf that has to wait keeps its urgency, which grows with every renewal, so none starves.
 // One whose patch has to wait for a tether does not hold the others up: it is passed over.
 #pragma once
@@ -13,22 +13,28 @@ class PatchSplits {
   explicit PatchSplits(MeshTurn<Profile, Body>& turn)
       : turn_(turn), forest_(turn.forest), urgencies_(turn.urgencies) {}
 
-  void split_most_urgent() {
-    MostUrgent<Profile> wanted;
-    waiting_ = find_most_urgent(
+  /// For the next turn of the mesh.
+  void choose_most_urgent() {
+    urgencies_.waiting = find_most_urgent(
         forest_, urgencies_, [this](const Leaf& leaf) { return turn_.tethered(refinement_edge(leaf)); },
-        wanted);
+        urgencies_.chosen);
+  }
+
+  /// A merge since then may have moved a leaf, which waits for another turn.
+  void split_chosen() {
+    const MostUrgent<Profile>& chosen = urgencies_.chosen;
     SplitBudget left{
         bounded_total<kSteps>(StepsTotal{}), bounded_total<Profile::kPatches>(SplitsTotal{}), {}};
-    for (const uint32_t i : bounded<kLooks>(wanted.count(), [] {})) {
+    for (const uint32_t i : bounded<kLooks>(chosen.count(), [] {})) {
       if (left.patches.left() == 0) break;
-      const uint16_t leaf = wanted.leaf(i);
+      const uint16_t leaf = chosen.leaf(i);
       if (urgencies_.of[leaf] < Urgency::kWanted) continue;  // split by an earlier patch
       urgencies_.split_at = static_cast<uint16_t>(leaf / Urgency::kBlock + 1);
       if (!split_towards(leaf, left)) break;
     }
-    turn_.counters.leaves_waiting = static_cast<uint16_t>(waiting_.all);
-    if (waiting_.all > waiting_.blocked && turn_.flags == 0) turn_.flag(RemeshFlag::kPatchBudget);
+    const Waiting& waiting = urgencies_.waiting;
+    turn_.counters.leaves_waiting = static_cast<uint16_t>(waiting.all);
+    if (waiting.all > waiting.blocked && turn_.flags == 0) turn_.flag(RemeshFlag::kPatchBudget);
   }
 
  private:
@@ -53,13 +59,13 @@ class PatchSplits {
     if (found == MeshStatus::kNotReady) return false;
     if (found != MeshStatus::kDone || !stays_within_levels(patch)) {
       urgencies_.of[leaf] = Urgency::kBarred;
-      --waiting_.all;
+      --urgencies_.waiting.all;
       return true;
     }
     const EdgeEnds ends = refinement_edge(forest_.leaf_of(patch.tet[0]));
     if (turn_.is_tethered(ends)) {
       urgencies_.of[leaf] |= Urgency::kAsleep;
-      ++waiting_.blocked;
+      ++urgencies_.waiting.blocked;
       return true;
     }
     if (patch.count > left.tets.left()) return false;
@@ -99,8 +105,8 @@ class PatchSplits {
     for (const uint32_t i : tets.noted.take(0, patch.count)) {
       const uint16_t leaf = turn_.place_of(forest_.child(patch.tet[i], 0));
       const uint8_t urgency = urgencies_.of[leaf];
-      waiting_.all -= urgency >= Urgency::kWanted ? 1u : 0u;
-      waiting_.blocked -= urgency > Urgency::kMost ? 1u : 0u;
+      urgencies_.waiting.all -= urgency >= Urgency::kWanted ? 1u : 0u;
+      urgencies_.waiting.blocked -= urgency > Urgency::kMost ? 1u : 0u;
       urgencies_.of[leaf] = Urgency::kNeutral;
       ++turn_.front.leaves[forest_.leaf[leaf].group].count;
     }
@@ -114,7 +120,6 @@ class PatchSplits {
   MeshTurn<Profile, Body>& turn_;
   Forest<Profile>& forest_;
   Urgencies<Profile>& urgencies_;
-  Waiting waiting_{0, 0};
 };
 
 }  // namespace palpate

@@ -62,8 +62,8 @@ class RotationChanges {
     if (!is_conforming() && worst_of(group, partner) > turn_.rules.split_above) {
       return turn_.part(group, partner);
     }
-    if (front_.leaves[partner].count > turn_.leaves.left()) return;
-    join_groups(turn_.forest, front_, group, partner, turn_.leaves);
+    if (turn_.steps_of(partner) > turn_.steps.left()) return;
+    join_groups(turn_.forest, front_, group, partner, turn_.steps);
     rotations_.take_over(group, partner);
     ++turn_.counters.groups_joined;
     turn_.changed = true;
@@ -95,8 +95,9 @@ class RotationChanges {
     uint32_t count = 0;
     for (const uint32_t i : bounded<Profile::kGroups>(front_.groups.used(), [] {})) {
       const uint16_t group = front_.groups.live(i);
-      const uint32_t is_above = turn_.wanted[group] > lowest.rank ? 1u : 0u;
-      const uint32_t fits = all_of(turn_.wanted[group] == lowest.rank, lowest.room != 0) ? 1u : 0u;
+      const uint32_t rank = turn_.wanted[group];
+      const uint32_t is_above = (lowest.rank - rank) >> 31;  // a comparison would become a branch
+      const uint32_t fits = all_of(rank == lowest.rank, lowest.room != 0) ? 1u : 0u;
       lowest.room -= fits;
       chosen[count] = group;  // in any case, and overwritten unless it is
       count += is_above | fits;

@@ -22,6 +22,9 @@ namespace palpate {
 
 template <class Profile, class Rotations>
 struct RotationTurn : TurnOutcome {
+  /// By twos through all leaves, and for each group split or joined a leaf that is left.
+  static constexpr uint32_t kSteps = Profile::kLeaves / 2 + Profile::kRotationChanges;
+
   RotationTurn(Forest<Profile>& the_forest, RotationFront<Profile>& the_front, const RotationRules& the_rules,
                Rotations& the_rotations, RemeshCounters& the_counters)
       : forest(the_forest),
@@ -29,7 +32,7 @@ struct RotationTurn : TurnOutcome {
         rules(the_rules),
         rotations(the_rotations),
         counters(the_counters),
-        leaves(bounded_total<Profile::kLeaves>(LeavesTotal{})),
+        steps(bounded_total<kSteps>(StepsTotal{})),
         begun(bounded_total<Profile::kRotationChanges>(BegunTotal{})),
         ended(bounded_total<Profile::kRotationChanges>(EndedTotal{})) {}
 
@@ -38,6 +41,7 @@ struct RotationTurn : TurnOutcome {
   [[nodiscard]] bool is_steady(uint16_t group) const {
     return all_of(front.partner[group] == kNone, !rotations.is_blending(group));
   }
+  [[nodiscard]] uint32_t steps_of(uint16_t group) const { return steps_by_twos(front.leaves[group].count); }
   [[nodiscard]] uint16_t first_group(uint16_t tet) const {
     return forest.leaf_of(first_leaf(forest, tet)).group;
   }
@@ -86,9 +90,9 @@ struct RotationTurn : TurnOutcome {
 
   bool split_one(uint16_t group) {
     if (begun.left() == 0 || front.groups.used() == Profile::kGroups) return refuse_split();
-    if (front.leaves[group].count > leaves.left()) return false;
+    if (steps_of(group) > steps.left()) return false;
     for ([[maybe_unused]] const uint32_t once : begun.take(0, 1)) {
-      const uint16_t added = split_group(forest, front, group, leaves);
+      const uint16_t added = split_group(forest, front, group, steps);
       rotations.inherit(group, added);
       drop(group);
       wanted[added] = kUnwanted;
@@ -119,7 +123,7 @@ struct RotationTurn : TurnOutcome {
     rotations.blend(partner);
   }
 
-  struct LeavesTotal {};
+  struct StepsTotal {};
   struct BegunTotal {};
   struct EndedTotal {};
 
@@ -128,7 +132,7 @@ struct RotationTurn : TurnOutcome {
   const RotationRules& rules;
   Rotations& rotations;
   RemeshCounters& counters;
-  decltype(bounded_total<Profile::kLeaves>(LeavesTotal{})) leaves;
+  decltype(bounded_total<kSteps>(StepsTotal{})) steps;  // through leaves of groups split and joined
   decltype(bounded_total<Profile::kRotationChanges>(BegunTotal{})) begun;  // splits and joins
   decltype(bounded_total<Profile::kRotationChanges>(EndedTotal{})) ended;  // joins
   std::array<Rank, Profile::kGroups> wanted;  // of each group in use, set by find_wanted

@@ -72,8 +72,5 @@ enum class RemeshFlag : uint32_t {
   kTethers = 1u << 5,
 };
 inline constexpr uint32_t kRemeshFlags = 6;
-/// Those of the rotation front; the others are of the mesh.
-inline constexpr uint32_t kFrontFlags =
-    static_cast<uint32_t>(RemeshFlag::kRotationBudget) | static_cast<uint32_t>(RemeshFlag::kGroups);
 
 }  // namespace palpate

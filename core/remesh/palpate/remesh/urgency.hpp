@@ -10,6 +10,14 @@ namespace palpate {
 /// Slices in which all urgencies are renewed.
 inline constexpr uint32_t kSweepSlices = 8;
 
+/// How many leaves want to be split, and how many of them are known not to be able to now.
+struct Waiting {
+  uint32_t all, blocked;
+};
+
+template <class Profile>
+class MostUrgent;
+
 template <class Profile>
 struct Urgencies {
   static constexpr uint8_t kCalm = 0;     // may be merged
@@ -28,6 +36,8 @@ struct Urgencies {
   uint16_t sweep_at;  // the leaf whose urgency is renewed next
   uint16_t split_at;  // the block where the search for the most urgent ones starts: behind the last found
   uint16_t merge_at;  // where the search for calm patches goes on
+  MostUrgent<Profile> chosen;  // to be split in the next turn of the mesh
+  Waiting waiting;             // when they were chosen, and what has changed since
 
   [[nodiscard]] uint8_t awake(uint32_t leaf) const { return of[leaf] & kMost; }
   /// A merge has left a gap among the leaves, which the last one fills, from behind all leaves now.
@@ -39,6 +49,8 @@ struct Urgencies {
   void clear() {
     for (const uint32_t i : bounded<kBlock * kBlocks>(kBlock * kBlocks, [] {})) of[i] = kNeutral;
     sweep_at = split_at = merge_at = 0;
+    chosen.clear();
+    waiting.all = waiting.blocked = 0;
   }
 };
 
@@ -163,8 +175,9 @@ class MostUrgent {
   /// What is offered in one search.
   static constexpr uint32_t kOffers = 8 * kLooks;
 
-  MostUrgent() {
+  void clear() {
     for (const uint32_t i : bounded<kLooks>(kLooks, [] {})) places_[i] = kNobody;
+    offers_ = 0;
   }
   [[nodiscard]] uint32_t count() const { return offers_ < kLooks ? offers_ : kLooks; }
   [[nodiscard]] uint16_t leaf(uint32_t i) const { return static_cast<uint16_t>(places_[i]); }
@@ -189,12 +202,7 @@ class MostUrgent {
   static constexpr uint32_t kNobody = (Urgencies<Profile>::kWanted - 1u) << kUrgencyAt;
   static_assert(kOffers < 1u << (kUrgencyAt - kTurnAt));
   std::array<uint32_t, kLooks> places_;  // the urgency above its turn, the first one highest, and the leaf
-  uint32_t offers_ = 0;
-};
-
-/// How many leaves want to be split, and how many of them are known not to be able to now.
-struct Waiting {
-  uint32_t all, blocked;
+  uint32_t offers_;
 };
 
 /// What the search takes, where each is more urgent than the ones before, and what it looks at closely.
@@ -211,6 +219,7 @@ template <class Profile, class IsBlocked>
 Waiting find_most_urgent(const Forest<Profile>& forest, Urgencies<Profile>& urgencies, IsBlocked is_blocked,
                          MostUrgent<Profile>& wanted) {
   using Urgency = Urgencies<Profile>;
+  wanted.clear();
   auto looks = bounded_total<kMostLooks<Profile>>([] {});
   auto offers = bounded_total<kMostOffers<Profile>>([] {});
   Waiting waiting{0, 0};

@@ -48,7 +48,7 @@ void add_front(const State<Profile>& state, StateHash& hash) {
   }
 }
 
-/// Which leaves want to be split, and where the looks at them go on.
+/// Which leaves want to be split, which of them are next, and where the looks at them go on.
 template <class Profile>
 void add_urgencies(const State<Profile>& state, StateHash& hash) {
   const Urgencies<Profile>& urgencies = state.urgencies;
@@ -57,6 +57,9 @@ void add_urgencies(const State<Profile>& state, StateHash& hash) {
   }
   hash.add(urgencies.sweep_at | uint32_t{urgencies.split_at} << 16);
   hash.add(uint32_t{urgencies.merge_at});
+  for (const uint32_t i : bounded<MostUrgent<Profile>::kLooks>(urgencies.chosen.count(), [] {})) {
+    hash.add(uint32_t{urgencies.chosen.leaf(i)});
+  }
 }
 
 /// What the last force evaluation saw of the groups.
@@ -106,7 +109,7 @@ void add_stage(const State<Profile>& state, const TickOutput& output, CoreStage 
       hash_detail::add_mesh(state.forest, hash);
       hash_detail::add_front(state, hash);
       hash_detail::add_urgencies(state, hash);
-      hash.add(state.waiting);
+      hash.add(state.waiting.all());
       break;
     case CoreStage::kRotations:
       for (const uint32_t i : bounded<Profile::kGroups>(state.front.groups.used(), [] {})) {

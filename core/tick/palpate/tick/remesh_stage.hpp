@@ -142,19 +142,27 @@ void change_front(State<Profile>& state) {
   RotationTurn<Profile, GroupRotations<Profile>> turn(state.forest, state.front, rules, rotations,
                                                       state.remesh);
   RotationChanges<Profile, GroupRotations<Profile>>(turn).run();
-  state.waiting = (state.waiting & ~kFrontFlags) | turn.flags;
+  state.waiting.front = turn.flags;
   if (turn.changed) index_groups(state.forest, state.front);
+}
+
+template <class Profile>
+TouchedNodes<Profile> touched_nodes(State<Profile>& state) {
+  return {{state.forest, state.solve, state.model}, state.contact.load};
+}
+template <class Profile>
+MeshTurn<Profile, TouchedNodes<Profile>> turn_of_mesh(State<Profile>& state, TouchedNodes<Profile>& nodes) {
+  return {state.forest,      state.front, state.tethers, state.urgencies, state.model.remesh.stretch,
+          state.driven.node, nodes,       state.remesh};
 }
 
 /// The turn of the mesh.
 template <class Profile>
 void change_mesh(State<Profile>& state) {
-  TouchedNodes<Profile> nodes{{state.forest, state.solve, state.model}, state.contact.load};
-  MeshTurn<Profile, TouchedNodes<Profile>> turn(state.forest, state.front, state.tethers, state.urgencies,
-                                                state.model.remesh.stretch, state.driven.node, nodes,
-                                                state.remesh);
+  auto nodes = touched_nodes(state);
+  auto turn = turn_of_mesh(state, nodes);
   make_mesh_changes(turn);
-  state.waiting = (state.waiting & kFrontFlags) | turn.flags;
+  state.waiting.mesh = turn.flags;
   if (turn.changed) index_groups(state.forest, state.front);
 }
 
@@ -164,6 +172,23 @@ void judge_mesh(State<Profile>& state) {
   const StretchRules& rules = state.model.remesh.stretch;
   if (rules.criterion != StretchCriterion::kFixed)
     renew_urgencies(state.forest, rules, state.driven.node, state.urgencies);
+}
+
+/// In the tick before a turn of the mesh.
+template <class Profile>
+void choose_for_mesh(State<Profile>& state) {
+  auto nodes = touched_nodes(state);
+  auto turn = turn_of_mesh(state, nodes);
+  choose_splits(turn);
+}
+
+/// In the tick after one.
+template <class Profile>
+void draw_for_mesh(State<Profile>& state) {
+  auto nodes = touched_nodes(state);
+  auto turn = turn_of_mesh(state, nodes);
+  begin_merges(turn);
+  state.waiting.draws = turn.flags;
 }
 
 }  // namespace palpate

@@ -8,9 +8,9 @@ namespace palpate {
 
 /// What has its turn in a tick.
 enum class Slot : uint8_t {
-  kMesh,       // splits and merges
+  kMesh,       // patches split and merged
   kFront,      // groups split and joined
-  kJudgement,  // what the next turns of both go by: urgencies and misfits
+  kJudgement,  // what the next turns of both go by: urgencies and misfits; and what is to be split or merged
 };
 
 /// A slot that is known at compile time, as an argument.

@@ -49,7 +49,7 @@ Status start(State<Profile>& state, const Model& model) {
   state.urgencies.clear();
   state.tethers.clear();
   state.remesh = RemeshCounters{};
-  state.waiting = 0;
+  state.waiting = TurnFlags{};
   start_solve(state.forest, model.dynamics, model.held, state.solve);
   return Status::kDone;
 }

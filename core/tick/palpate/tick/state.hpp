@@ -45,6 +45,13 @@ struct TickOutput {
   uint32_t flags;  // TickFlag bits
 };
 
+/// RemeshFlag bits of the last turns of both fronts, and of the last draws for merges.
+struct TurnFlags {
+  uint32_t mesh, front, draws;
+
+  [[nodiscard]] constexpr uint32_t all() const { return mesh | front | draws; }
+};
+
 template <class Profile>
 struct State {
   Model model;
@@ -56,7 +63,7 @@ struct State {
   Urgencies<Profile> urgencies;
   Tethers<Profile> tethers;
   RemeshCounters remesh;
-  uint32_t waiting;  // RemeshFlag bits of this tick
+  TurnFlags waiting;
   SolveState<Profile> solve;
   Grasp grasp;
   DrivenNode driven;

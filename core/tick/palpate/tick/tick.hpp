@@ -3,7 +3,9 @@
 //   touch      grasp the nearest node, or let go; the held node's target follows the tool; without a grasp
 //              the tool's contact with the surface
 //   remesh     within the profile's budgets: changes of the mesh in one tick of four, of the rotation front
-//              in another one, and in the two between how urgent changes of the mesh are (schedule.hpp)
+//              in another one, and in the two between how urgent changes of the mesh are; beside that the one
+//              before the mesh's chooses what it is to split, the one after it begins to draw what is to be
+//              merged (schedule.hpp)
 //   rotations  one extraction step a group, and one blending step; in every second tick misfits of an eighth
 //              of the leaves
 //   integrate  the driven node and held ends of tethers: how fast they will be moved
@@ -68,7 +70,14 @@ PALPATE_NOINLINE void remesh(State<Profile>& state) {
   } else {
     state.tethers.advance(state.driven.node);
     if constexpr (Which == Slot::kFront) change_front(state);
-    if constexpr (Which == Slot::kJudgement) judge_mesh(state);
+    if constexpr (Which == Slot::kJudgement) {
+      judge_mesh(state);
+      if (slot_of(state.tick + 1) == Slot::kMesh) {
+        choose_for_mesh(state);
+      } else {
+        draw_for_mesh(state);
+      }
+    }
   }
 }
 
@@ -127,7 +136,7 @@ PALPATE_NOINLINE void reaction(State<Profile>& state, const TickInput& input, co
   const auto flag = [&output](bool set, TickFlag which) {
     output.flags |= set ? static_cast<uint32_t>(which) : 0u;
   };
-  output.flags = waiting_flags(state.waiting);
+  output.flags = waiting_flags(state.waiting.all());
   flag(state.clamps.speed != before.speed, TickFlag::kSpeedClamped);
   flag(state.clamps.position != before.position, TickFlag::kPositionClamped);
   flag(state.clamps.strain != before.strain, TickFlag::kStrainClamped);
