@@ -256,7 +256,7 @@ class GroupForces {
   Groups<Profile>& groups_;
   const Materials& materials_;
   GroupFrame<Profile>& frame_;
-  ClampFlag clamped_;
+  ClampFlag clamped_;  // of one evaluation; here, so that the loop over leaves takes no address of a local
 };
 
 }  // namespace palpate
