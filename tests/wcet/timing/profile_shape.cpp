@@ -31,10 +31,9 @@ ProfileShape shape_of(const char* key) {
 }  // namespace
 
 const ProfileShape& profile_shape(const std::string& key) {
-  static const std::vector<ProfileShape> shapes{shape_of<CuboidDense>("CuboidDense"),
-                                                shape_of<CuboidPaper>("CuboidPaper"),
-                                                shape_of<Organ>("Organ"), shape_of<Small>("Small"),
-                                                shape_of<Tiny>("Tiny")};
+  static const std::vector<ProfileShape> shapes{
+      shape_of<CuboidDense>("CuboidDense"), shape_of<CuboidPaper>("CuboidPaper"), shape_of<Organ>("Organ"),
+      shape_of<Small>("Small"), shape_of<Tiny>("Tiny")};
   for (const ProfileShape& shape : shapes) {
     if (shape.key == key) return shape;
   }

@@ -16,15 +16,13 @@ template <class Profile>
 struct Candidates {
   static constexpr uint32_t kMost = Profile::kContactCandidates;
   static constexpr uint32_t kLooks = 3 * kMost;  // at faces in reach
-  // One more than can be looked at: where it is taken, not all were.
-  static constexpr uint32_t kListed = kLooks + 1;
   union {
     Sides<Profile> sides;  // scratch of a search, until all leaves are listed
     std::array<Candidate, kMost + 1> face;
   };
   // Scratch. Of a search 16 times the place of a leaf, and its Sides::faces_in_reach, and 0 behind the last
   // one; then the places of candidates that are near enough to be looked at closely.
-  std::array<uint32_t, kListed + 2> listed;
+  std::array<uint32_t, kLooks + 3> listed;
   uint32_t count;
   Position range;
 };
@@ -117,29 +115,6 @@ PALPATE_ALWAYS_INLINE Room offered(Room room, const Candidate& candidate, Total&
               room.range + Position::from_raw(beyond & (beyond >> 31) & ~has_room)};
 }
 
-/// How many leaves have faces in reach: those that are listed. Two leaves at once.
-template <class Profile>
-uint32_t list_leaves(const Forest<Profile>& forest, Candidates<Profile>& found) {
-  constexpr uint32_t kListed = Candidates<Profile>::kListed;
-  uint32_t count = 0;
-  const auto faces_of = [&](uint32_t place) { return found.sides.faces_in_reach(forest.leaf[place]); };
-  const auto list = [&](uint32_t place, uint32_t faces) {
-    found.listed[count] = 16 * place + faces;
-    count += faces != 0 ? 1 : 0;
-  };
-  const auto cut = [&] { count = count < kListed ? count : kListed; };
-  for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2u, [] {})) {
-    uint32_t faces0 = faces_of(2 * pair);
-    uint32_t faces1 = faces_of(2 * pair + 1);
-    have_both(faces0, faces1);
-    list(2 * pair, faces0);
-    list(2 * pair + 1, faces1);
-    cut();
-  }
-  found.listed[count] = 0;
-  return count;
-}
-
 }  // namespace surface_detail
 
 /// All faces of the surface within `range` of `centre` in the maximum norm, both within +-5 edges. If they
@@ -151,7 +126,9 @@ template <class Profile, uint32_t Tightenings = surface_detail::kTightenings,
 void find_candidates(const Forest<Profile>& forest, const Vector3<Position>& centre, Position range,
                      Candidates<Profile>& found) {
   found.sides.find(forest, centre, range);
-  const uint32_t leaves = surface_detail::list_leaves(forest, found);
+  const uint32_t leaves = list_leaves<Candidates<Profile>::kLooks>(
+      forest, found.listed, [&](const Leaf& leaf) { return found.sides.faces_in_reach(leaf); });
+  found.listed[leaves] = 0;
   surface_detail::Room room{0, 0, range};
   auto tightenings = bounded_total<Tightenings>([] {});
   // Scalars, or they would be loaded anew after every candidate that is stored.

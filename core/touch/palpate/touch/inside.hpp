@@ -49,27 +49,13 @@ template <class Profile>
                              Sides<Profile>& sides) {
   namespace detail = inside_detail;
   sides.find(forest, x, Position::from_raw(0));
-  // One more than are looked at, which tells that there are more, and room for two that are too many.
-  std::array<uint32_t, kMostBoxes + 3> place;
-  uint32_t count = 0;
-  const auto is_beyond = [&](uint32_t at) { return sides.is_beyond(forest.leaf[at]) ? 1u : 0u; };
-  const auto list = [&](uint32_t at, uint32_t beyond) {
-    place[count] = at;
-    count += 1 - beyond;
-  };
-  const auto cut = [&] { count = count <= kMostBoxes ? count : kMostBoxes + 1; };
-  for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2u, [] {})) {
-    uint32_t beyond0 = is_beyond(2 * pair);
-    uint32_t beyond1 = is_beyond(2 * pair + 1);
-    have_both(beyond0, beyond1);
-    list(2 * pair, beyond0);
-    list(2 * pair + 1, beyond1);
-    cut();
-  }
+  std::array<uint32_t, kMostBoxes + 3> listed;
+  const uint32_t count = list_leaves<kMostBoxes>(
+      forest, listed, [&](const Leaf& leaf) { return sides.is_beyond(leaf) ? 0u : 1u; });
   if (count > kMostBoxes) return true;
   bool is_in = false;
   for (const uint32_t i : bounded<kMostBoxes>(count, [] {})) {
-    const Leaf& leaf = forest.leaf[place[i]];
+    const Leaf& leaf = forest.leaf[listed[i] / 16];
     const auto from_x = [&](uint32_t corner) {
       return detail::offset(x, forest.node.position[leaf.node[corner]]);
     };

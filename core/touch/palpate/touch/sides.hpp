@@ -79,4 +79,27 @@ class Sides {
   std::array<uint8_t, Profile::kNodes> beyond_;
 };
 
+/// Lists the leaves of which `bits_of(leaf)`, below 16, is not 0: 16 times the place of each, and its bits.
+/// Returns how many there are; Most + 1, cut off, where they are more. No branch, two leaves at once; room is
+/// for two more than Most + 1.
+template <uint32_t Most, class Profile, std::size_t Room, class Bits>
+PALPATE_NOINLINE uint32_t list_leaves(const Forest<Profile>& forest, std::array<uint32_t, Room>& listed,
+                                      Bits bits_of) {
+  static_assert(Room >= Most + 3);
+  uint32_t count = 0;
+  const auto list = [&](uint32_t place, uint32_t bits) {
+    listed[count] = 16 * place + bits;
+    count += bits != 0 ? 1 : 0;
+  };
+  for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2u, [] {})) {
+    uint32_t bits0 = bits_of(forest.leaf[2 * pair]);
+    uint32_t bits1 = bits_of(forest.leaf[2 * pair + 1]);
+    have_both(bits0, bits1);
+    list(2 * pair, bits0);
+    list(2 * pair + 1, bits1);
+    count = count <= Most ? count : Most + 1;
+  }
+  return count;
+}
+
 }  // namespace palpate
