@@ -47,7 +47,7 @@ constexpr Case kFlags[] = {
     {"TwoNumbersOfThree", "run cuboid-sine --node 1,2", "three numbers"},
     {"BlankInsideANumber", "run cuboid-sine --node '1 2,3,4'", "three numbers"},
     {"UnknownChoice", "run cuboid-sine --hold left", "one, both, none"},
-    {"UnknownProfile", "run cuboid-sine --profile tiny",
+    {"UnknownProfile", "run cuboid-sine --profile huge",
      "cuboid-paper, cuboid-dense, organ, small, tiny, workstation"},
     {"UnknownBoard", "hil grasp --board moon", "must be host"},
     {"LevelOverCapacity", "run cuboid-sine --level 9", "take level 6 or less"},

@@ -158,6 +158,11 @@ class Wild {
     for (uint8_t& urgency : core_.urgencies.of)
       urgency = draw_.one_in(3) ? urgency : Urgencies<Profile>::kCalm;
   }
+  [[nodiscard]] uint16_t some_node() {
+    const bool is_tethered = core_.tethers.count > 0 && draw_.one_in(2);
+    return is_tethered ? core_.tethers.tether[draw_.below(core_.tethers.count)].node
+                       : core_.forest.nodes.live(draw_.below(core_.forest.nodes.used()));
+  }
   void shake_contact() {
     Reaction& reaction = core_.reaction;
     reaction.had_tool = draw_.one_in(2);
@@ -171,7 +176,7 @@ class Wild {
     core_.model.grasp_reach = Position::from_raw(draw_.one_in(2) ? 0 : raw() & 0x1fff'ffff);
     core_.grasp.was_closed = draw_.one_in(2);
     const auto& nodes = core_.forest.nodes;
-    core_.grasp.node = draw_.one_in(3) ? nodes.live(0) : kNone;
+    core_.grasp.node = draw_.one_in(3) ? some_node() : kNone;
     const bool is_gone = draw_.one_in(2) && nodes.used() < Profile::kNodes;
     if (core_.grasp.holds() && is_gone) core_.grasp.node = nodes.live(nodes.used());
     core_.driven.node = core_.grasp.node;
@@ -187,9 +192,7 @@ class Wild {
     contact.force = Vector3<Force>(Force::ratio(1, 8), Force::ratio(1, 8), Force::ratio(1, 8));
     contact.load.count = 1 + draw_.below(Load::kMost);
     for (uint32_t i = 0; i < contact.load.count; ++i) {
-      const bool is_tethered = core_.tethers.count > 0 && draw_.one_in(2);
-      contact.load.node[i] = is_tethered ? core_.tethers.tether[draw_.below(core_.tethers.count)].node
-                                         : core_.forest.nodes.live(draw_.below(core_.forest.nodes.used()));
+      contact.load.node[i] = some_node();
       contact.load.weight[i] = Fraction::from_raw((1 << 30) / 6);
     }
     contact.anchor = loaded_point(core_.forest, contact.load);

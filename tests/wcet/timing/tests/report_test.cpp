@@ -104,7 +104,8 @@ TEST_F(TimingFiles, Measurement) {
 constexpr const char* kFigures =
     "[[profile]]\nprofile = \"Small\"\ncore = \"m4\"\ndesign = { cycles = 168_000 }\n"
     "committed = { instructions = 1, cycles = 2, ram_bytes = 3, tick_code_bytes = 4, stack_bytes = 5 }\n"
-    "# a remark\n[[board]]\nname = \"A\"\ncore = \"m4\"\nclock_mhz = 168\nprofile = \"Tiny\"\ndevices = \"a.toml\"\n";
+    "# a remark\n[[board]]\nname = \"A\"\ncore = \"m4\"\nclock_mhz = 168\nprofile = \"Tiny\"\ndevices = "
+    "\"a.toml\"\n";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
