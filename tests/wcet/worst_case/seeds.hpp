@@ -19,5 +19,7 @@ template <>
 inline constexpr std::array<uint32_t, 3> kWorstSeeds<Organ>{326, 422, 338};
 template <>
 inline constexpr std::array<uint32_t, 3> kWorstSeeds<Small>{429, 971, 1012};
+template <>
+inline constexpr std::array<uint32_t, 3> kWorstSeeds<Tiny>{196, 276, 810};
 
 }  // namespace palpate::worst_case
