@@ -154,7 +154,7 @@ PALPATE_NOINLINE void index_nodes(const Forest<Profile>& forest, RotationFront<P
   };
 #pragma GCC unroll 2
   for (const uint32_t pair : bounded<Profile::kLeaves / 2>(forest.leaf_count / 2, [] {})) {
-    uint32_t place0 = leaf_order[2 * pair], place1 = leaf_order[2 * pair + 1];
+    uint32_t place0 = leaf_order[std::size_t{2} * pair], place1 = leaf_order[std::size_t{2} * pair + 1];
     have_both(place0, place1);
     add_leaf(place0);
     add_leaf(place1);
@@ -223,7 +223,7 @@ PALPATE_ALWAYS_INLINE void by_twos(Forest<Profile>& forest, const RotationFront<
   Leaf* const leaves = opaque(forest.leaf.data());
   const uint16_t* const order = opaque(front.leaf_order.data() + list.begin);
   for (const uint32_t pair : steps.take(0, list.count / 2u)) {
-    two(leaves[order[2 * pair]], leaves[order[2 * pair + 1]]);
+    two(leaves[order[std::size_t{2} * pair]], leaves[order[std::size_t{2} * pair + 1]]);
   }
   for ([[maybe_unused]] const uint32_t once : steps.take(0, list.count % 2u)) {
     one(leaves[order[list.count - 1u]]);
