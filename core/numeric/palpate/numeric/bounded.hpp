@@ -108,7 +108,7 @@ class BoundedTotal {
     return Range<Element*>(first, grant(count));
   }
   [[nodiscard]] constexpr uint32_t left() const { return left_; }
-  /// What take would grant, for a range that is made elsewhere.
+  /// Counts so many off, as take does; for a range that the called function makes.
   [[nodiscard]] constexpr uint32_t grant(uint32_t count) {
     check(count <= left_, "nested loops were asked for more than their total");
     const uint32_t granted = count < left_ ? count : left_;

@@ -45,7 +45,7 @@ PALPATE_ALWAYS_INLINE void put_rotation_matrix(const Quaternion& q, Put put) {
   put(2, 2, twice(half - xx - yy));
 }
 
-/// All of them.
+/// All nine entries of R.
 void rotation_matrix(const Quaternion& q, RotationMatrix& r);
 inline RotationMatrix rotation_matrix(const Quaternion& q) {
   RotationMatrix r;
